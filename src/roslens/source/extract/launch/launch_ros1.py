@@ -82,7 +82,7 @@ class _Whole:
         self.arguments: list[Argument] = []
         self.included: list[str] = []
         self.unresolved: list[Unresolved] = []
-        self._open: list[str] = []
+        self._open: dict[str, Mapping[str, Text]] = {}
         self._read = 0
 
     def file(
@@ -91,7 +91,8 @@ class _Whole:
         """Evaluate a file with the arguments that it is given; return the parameters that later nodes get."""
         if path in self._open:
             reason = f"it includes itself: {' > '.join([*self._open, path])}"
-            self.miss(path, evidence, reason, opens=True, fault=Fault.CYCLE)
+            cycle = Fault.CYCLE if self._open[path] == given.arguments else None  # else a condition may end it
+            self.miss(path, evidence, reason, opens=True, fault=cycle)
             return space.private
         if len(self._open) >= MOST_DEPTH or self._read >= MOST_FILES:
             self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} levels of includes", opens=True)
@@ -114,13 +115,13 @@ class _Whole:
             place = Evidence(path, *document.place(root.start))
             self.miss(f"<{root.tag}>", place, "expected <launch> as the outermost element", opens=True)
             return space.private
-        self._open.append(path)
+        self._open[path] = given.arguments
         file = _File(self, path, document, given)
         private = file.children(root, space, remaps)
         if not (given.outer or given.every):
             for name in sorted(given.arguments.keys() - file.declared):
                 self.miss(name, evidence, f"the include gives an argument that {path} does not declare")
-        self._open.pop()
+        del self._open[path]
         return private
 
     def overridden(self) -> Iterator[Launched]:

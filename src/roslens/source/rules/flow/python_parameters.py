@@ -57,7 +57,7 @@ def parameters_of(function: Node, view: FileView) -> Iterator[Parameter]:
             if kind != "keyword_separator":
                 yield Parameter(_SPLATS[kind])
             by_name = True
-        elif kind not in ("comment", "positional_separator"):
+        elif kind not in ("comment", "line_continuation", "positional_separator"):
             name = view.text(one.child_by_field_name("name")) or view.text(one).partition(":")[0].strip()
             yield Parameter(name, by_name, has_default)
 

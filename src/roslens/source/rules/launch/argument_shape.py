@@ -27,6 +27,7 @@ from roslens.source.rules.views.launch_code import (
     in_words,
     shown,
 )
+from roslens.source.rules.views.python_names import text_of
 
 _Found = Iterator[tuple[Node, str]]
 _PAIRS = "pairs: `[('from', 'to')]`"
@@ -44,7 +45,7 @@ def _parameters(call: LaunchCall, node: Node, code: LaunchCode) -> _Found:
     sort = code.sort(node)
     refused = {TEXT, DICTIONARY, SUBSTITUTION, NUMBER, OBJECT} | ({TUPLE} if call.signature.kind else set())
     if sort in refused:
-        given = f"`parameters` is {in_words(sort)}: {call.name} raises a TypeError"
+        given = f"`{_keyword(node)}` is {in_words(sort)}: {call.name} raises a TypeError"
         yield node, f"{given}; expected a list: `[{shown(node, code, 40).strip('`')}]`"
         return
     for one in code.items(node):
@@ -52,6 +53,13 @@ def _parameters(call: LaunchCall, node: Node, code: LaunchCode) -> _Found:
             yield one, what
         elif code.sort(one) == DICTIONARY:
             yield from _parameter_values(one, code)
+
+
+def _keyword(node: Node) -> str:
+    """Return the keyword that a value is given by; of a value by position, what all such values are."""
+    around = node.parent
+    named = around.child_by_field_name("name") if around is not None and around.type == "keyword_argument" else None
+    return "parameters" if named is None else text_of(named)
 
 
 def _parameter(node: Node, code: LaunchCode) -> str:

@@ -16,6 +16,8 @@ from roslens.source.rules.flow.summary import Target
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
+_FALSE = frozenset({"0", "False"})
+
 
 def found(_root: Node, view: FileView) -> Iterator[Hit]:
     """Yield each call of one certain function that gives it an argument too few, too many or of another name."""
@@ -26,11 +28,30 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
         if target is None or given is None:
             continue
         problem = _problem(list(parameters_of(target.function, view)), target.bound, *given)
-        if problem and not is_handled(call):
+        if problem and not is_handled(call) and not _is_switched_off(call, view):
             line = target.function.start_point[0] + 1
             name = function_name(target.function, view)
             message = f"`{view.short(call)}` {problem} `{name}` (line {line}): a TypeError when this is reached"
             yield view.hit("python.argument_count", call, message)
+
+
+def _is_switched_off(call: Node, view: FileView) -> bool:
+    """Tell whether a call stands below a condition that is never true as it is written: ``if 0 and options.once``."""
+    inner, outer = call, call.parent
+    while outer is not None:
+        if outer.type in ("if_statement", "elif_clause", "while_statement") and _is_of_body(inner, outer):
+            condition = outer.child_by_field_name("condition")
+            while condition is not None and condition.type == "boolean_operator":
+                operator = condition.child_by_field_name("operator")
+                condition = condition.child_by_field_name("left") if view.text(operator) == "and" else None
+            if view.text(condition) in _FALSE:
+                return True
+        inner, outer = outer, outer.parent
+    return False
+
+
+def _is_of_body(inner: Node, outer: Node) -> bool:
+    return inner in (outer.child_by_field_name("consequence"), outer.child_by_field_name("body"))
 
 
 def _target(call: Node, functions: PythonFunctions, view: FileView) -> Target | None:

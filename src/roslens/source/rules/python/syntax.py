@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 import warnings
 from collections.abc import Iterator
 
@@ -19,6 +20,8 @@ _TEMPLATE_LINE = re.compile(rb"\{\{|\}\}|\{%|@[\[({]|\$\{|<%|<#")
 _CONFLICT = re.compile(rb"^(?:<{7} |={7}$|>{7} )")
 _LARGEST_BYTES = 1_000_000
 """What is larger was generated, and takes hundreds of times its size to compile."""
+_NESTED_QUOTES = (3, 12)
+"""The Python since which an expression in a format string may have its quotes: ``f"{spin["speed"]:.2f}"``."""
 _OF_ANY_VERSION = re.compile(
     r"argument|outside|not properly in loop|declaration|nonlocal|cannot (?:assign|delete)|leading zeros|decimal literal"
     r"|import \*|__future__"
@@ -34,6 +37,8 @@ def found(root: Node, view: FileView) -> Iterator[Hit]:
     text = error.msg or "invalid syntax"
     if not (root.has_error or isinstance(error, IndentationError) or _OF_ANY_VERSION.search(text)):
         return
+    if not root.has_error and sys.version_info < _NESTED_QUOTES and _is_in_format(root, error.lineno):
+        return
     line = view.lines[error.lineno - 1] if 0 < error.lineno <= len(view.lines) else b""
     if _TEMPLATE.search(view.content) or _TEMPLATE_LINE.search(line) or has_statement_of_python2(view):
         return
@@ -41,6 +46,19 @@ def found(root: Node, view: FileView) -> Iterator[Hit]:
         text = "a merge conflict that is not resolved"
     message = f"Python does not compile the file: {text}; expected Python 3. Try `python3 -m py_compile` on it"
     yield view.hit_at("python.syntax", error.lineno, message, column=error.offset or 0)
+
+
+def _is_in_format(root: Node, line: int) -> bool:
+    """Return whether a format string with an expression in it stands at a line, 1-based."""
+    waiting = [root]
+    while waiting:
+        node = waiting.pop()
+        if not node.start_point[0] < line <= node.end_point[0] + 1:
+            continue
+        if node.type == "string" and any(one.type == "interpolation" for one in node.children):
+            return True
+        waiting += node.children
+    return False
 
 
 def _refused(content: bytes) -> SyntaxError | None:

@@ -33,12 +33,14 @@ class Outcome(msgspec.Struct, frozen=True):
         source: the file that is started.
         by_default: whether it depends on defaults of arguments.
         is_included: whether another launch file names the one that is started: it may set what this one does not.
+        declared: names of the arguments that are declared where the file is started, wherever in it.
     """
 
     failed: Failed
     source: LaunchSource
     by_default: bool
     is_included: bool
+    declared: frozenset[str] = frozenset()
 
 
 class LaunchOutcome:
@@ -54,12 +56,13 @@ class LaunchOutcome:
         """Where starting a launch file ends with an error, each place once."""
         found: dict[tuple[object, ...], Outcome] = {}
         for source, default, every in self._evaluated:
+            declared = frozenset(one.name for launch in (default, every) for one in launch.arguments)
             lasting = {_key(one) for one in every.failed}
             for one in (*every.failed, *default.failed):
                 key = _key(one)
                 if key not in found or (found[key].is_included and not self._is_included(source)):
                     by_default = key not in lasting if source.is_ros2 else self._has_argument(one)
-                    found[key] = Outcome(one, source, by_default, self._is_included(source))
+                    found[key] = Outcome(one, source, by_default, self._is_included(source), declared)
         return tuple(found.values())
 
     def _has_argument(self, failed: Failed) -> bool:

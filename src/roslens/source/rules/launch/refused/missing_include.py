@@ -31,7 +31,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         name, folder = owner
         package = beside.setdefault(folder, PackageBeside(view.root, folder))
         inside = failed.text[len(folder) + 1 :] if folder else failed.text
-        if package.may_have(inside) or package.installs_what_it_makes(inside):
+        if inside.startswith("~") or package.may_have(inside) or package.installs_what_it_makes(inside):
             continue
         if not is_written(view.read(failed.evidence.path).decode("utf-8", "replace"), inside):
             yield _hit(one, name, inside, package)

@@ -21,31 +21,58 @@ _DECLARED = re.compile(
 )
 
 
+_MOST_NAMES = 4
+"""Of one message."""
+
+
 def found(view: PackageView) -> Iterator[Hit]:
-    """Yield each first use of a launch configuration that is set nowhere before it."""
+    """Yield each first use of launch configurations that are set nowhere before it, those of one call together."""
     told: set[tuple[str, str]] = set()
+    together: dict[tuple[object, ...], list[Outcome]] = {}
     for one in view.outcome.failures:
         failed = one.failed
         if failed.fault is not Fault.NOT_SET or one.is_included or failed.evidence.path not in view.by_path:
             continue
         if (failed.evidence.path, failed.text) not in told:
             told.add((failed.evidence.path, failed.text))
-            yield _hit(one, view)
+            cause = (failed.evidence, one.source.path, _where(one), _certainty(one, view))
+            together.setdefault(cause, []).append(one)
+    for several in together.values():
+        yield _hit(several, view)
 
 
-def _hit(one: Outcome, view: PackageView) -> Hit:
-    failed = one.failed
+def _where(one: Outcome) -> str:
+    """Return where the file that is started declares a name, if it does."""
+    if one.failed.text in one.declared:
+        return "; declared further down, and launch goes from the first action to the last"
+    if one.failed.text in _written(one):
+        return f"; {one.source.path} has a declaration, but generate_launch_description does not return it"
+    return ""
+
+
+def _written(one: Outcome) -> set[str]:
     text = one.source.content.decode("utf-8", "replace")
-    declared = {name for pair in _DECLARED.findall(text) for name in pair if name}
-    near = get_close_matches(failed.text, declared, 1, 0.75)
-    advice = f"; did you mean {near[0]!r}?" if near else ""
-    if failed.text in declared:
-        advice = "; it is declared further down, and launch goes from the first action to the last"
+    return {name for pair in _DECLARED.findall(text) for name in pair if name}
+
+
+def _hit(several: list[Outcome], view: PackageView) -> Hit:
+    one, *others = several
+    failed = one.failed
+    near = get_close_matches(failed.text, _written(one), 1, 0.75) if not others else []
+    advice = _where(one) or (f"; did you mean {near[0]!r}?" if near else "")
     started = "" if failed.evidence.path == one.source.path else f" when {one.source.path} is started"
-    message = (
-        f"launch configuration {failed.text!r} is used and nothing declares or sets it before{started}; expected "
-        f"an argument or value of that name{advice}"
-    )
+    names = [repr(each.failed.text) for each in several]
+    listed = ", ".join(names[:_MOST_NAMES]) + f" and {len(names) - _MOST_NAMES} more" * (len(names) > _MOST_NAMES)
+    if others:
+        message = (
+            f"launch configurations {listed} are used and nothing declares or sets them before{started}; expected "
+            f"arguments or values of these names{advice}"
+        )
+    else:
+        message = (
+            f"launch configuration {listed} is used and nothing declares or sets it before{started}; expected "
+            f"an argument or value of that name{advice}"
+        )
     return Hit(
         "launch.unset_configuration",
         message,
@@ -60,7 +87,9 @@ def _hit(one: Outcome, view: PackageView) -> Hit:
 def _certainty(one: Outcome, view: PackageView) -> Certainty | None:
     if _PARTS.search(one.source.path) or _is_given(one.failed.text, view):
         return Certainty.HEURISTIC
-    return Certainty.LIKELY if one.failed.open else None
+    # What is declared and not returned may be for files that take parts of this one.
+    is_part = one.failed.text not in one.declared and one.failed.text in _written(one)
+    return Certainty.LIKELY if one.failed.open or is_part else None
 
 
 def _is_given(name: str, view: PackageView) -> bool:
@@ -76,8 +105,9 @@ RULE = PackageRule(
     finds="`LaunchConfiguration('name')` or `$(var name)` in a launch file of ROS 2 where, if the file is started, no "
     "argument of that name is declared and nothing sets it before. A default of the substitution is one. Files that "
     "other launch files name are judged with these. It is a warning where a condition decides whether it is reached, "
-    "and a note in folders of files that are there to be included, and where a script or README gives it by `name:=`. "
-    "Behind an include of a file that is not in the workspace nothing is reported.",
+    "or the file declares it in what it does not return, and a note in folders of files that are there to be included, "
+    "and where a script or README gives it by `name:=`. Behind an include of a file that is not in the workspace "
+    "nothing is reported.",
     why='launch ends with "launch configuration does not exist": nothing starts, or not on the day that the branch is '
     "taken.",
     consequence=Consequence.STOPS_START,

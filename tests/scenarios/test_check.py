@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -78,7 +79,7 @@ def test_the_second_run_on_an_unchanged_tree_is_the_first(roslens, robot):
     second = roslens("check", robot.root)
     assert "nothing changed" in second.err
     assert second.out == first.out
-    with sqlite3.connect(robot.root / ".roslens" / "store.sqlite") as store:
+    with closing(sqlite3.connect(robot.root / ".roslens" / "store.sqlite")) as store, store:
         assert store.execute("SELECT count(*) FROM run").fetchone() == (1,)
 
 

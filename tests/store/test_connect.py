@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sqlite3
 import sys
+from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
@@ -13,15 +14,16 @@ import pytest
 from roslens.store.connect import Readers, connect, roll_back
 
 
-def readers(path: Path) -> Readers:
-    main = connect(path, wait_s=1.0)
-    main.execute("CREATE TABLE numbers (number)")
-    main.execute("INSERT INTO numbers VALUES (7)")
-    return Readers(path, main, 1.0)
+@pytest.fixture
+def found(tmp_path: Path) -> Iterator[Readers]:
+    path = tmp_path / "a.sqlite"
+    with closing(connect(path, wait_s=1.0)) as main:
+        main.execute("CREATE TABLE numbers (number)")
+        main.execute("INSERT INTO numbers VALUES (7)")
+        yield Readers(path, main, 1.0)
 
 
-def test_who_reads_at_the_same_time_has_another_connection(tmp_path: Path) -> None:
-    found = readers(tmp_path / "a.sqlite")
+def test_who_reads_at_the_same_time_has_another_connection(found: Readers) -> None:
     with found.one() as first, found.one() as second:
         assert first is not second
     with found.one() as again:
@@ -33,8 +35,7 @@ def test_who_reads_at_the_same_time_has_another_connection(tmp_path: Path) -> No
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems copy no processes")
 @pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
-def test_a_copy_of_the_process_opens_its_own(tmp_path: Path) -> None:
-    found = readers(tmp_path / "a.sqlite")
+def test_a_copy_of_the_process_opens_its_own(found: Readers) -> None:
     with found.one() as here:
         pass
     child = os.fork()

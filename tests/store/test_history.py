@@ -1,4 +1,5 @@
 import sqlite3
+from contextlib import closing
 
 import pytest
 
@@ -110,7 +111,7 @@ def test_a_file_that_is_none_of_ours_is_left_alone(tmp_path):
 def test_a_failed_write_loses_nothing(tmp_path, monkeypatch):
     with History.open(tmp_path / "live.sqlite") as history:
         history.add_events([Event(NOW, Change.APPEARED, "node:/a")])
-        with sqlite3.connect(tmp_path / "live.sqlite") as other:
+        with closing(sqlite3.connect(tmp_path / "live.sqlite")) as other, other:
             other.execute("BEGIN IMMEDIATE")
             history._connection.execute("PRAGMA busy_timeout = 1")
             with pytest.raises(StoreError, match="in use by another process"):

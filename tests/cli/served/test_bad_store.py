@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sqlite3
 import time
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -43,14 +44,14 @@ def test_a_workspace_that_was_never_checked_is_said(tmp_path: Path, capsys: Said
 
 def test_a_store_of_a_newer_roslens_is_said_and_left_as_it_is(checked: Path, capsys: Said) -> None:
     store = checked / ".roslens" / STORE
-    with sqlite3.connect(store) as connection:
+    with closing(sqlite3.connect(store)) as connection, connection:
         connection.execute("PRAGMA user_version = 999")
         seal_all(connection, key_of_store(store, os.environ))
     assert main(["serve", str(checked), "--port", "0"]) == 2
     said = capsys.readouterr().err
     assert "written by a newer roslens (schema 999)" in said
     assert "Upgrade roslens" in said
-    with sqlite3.connect(store) as connection:
+    with closing(sqlite3.connect(store)) as connection, connection:
         assert connection.execute("PRAGMA user_version").fetchone() == (999,)
 
 
@@ -86,7 +87,7 @@ PAGES = (
 
 def test_a_store_that_is_held_alone_is_said_on_every_page_and_soon(checked: Path) -> None:
     store = checked / ".roslens" / STORE
-    with sqlite3.connect(store) as connection:
+    with closing(sqlite3.connect(store)) as connection, connection:
         # A write-ahead log lets nobody keep readers out; without one, as on a network, a writer does.
         assert connection.execute("PRAGMA journal_mode = DELETE").fetchone() == ("delete",)
     with open_store(str(checked)) as opened:

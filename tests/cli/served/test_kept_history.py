@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -69,7 +70,7 @@ def test_something_else_is_said(tmp_path: Path) -> None:
 
 
 def test_one_of_a_newer_roslens_is_said(kept: Path) -> None:
-    with sqlite3.connect(kept) as connection:
+    with closing(sqlite3.connect(kept)) as connection, connection:
         connection.execute("PRAGMA user_version = 999")
     reported = r"written by a newer roslens \(schema 999\).*Upgrade roslens"
     with pytest.raises(StoreError, match=reported), history_beside(kept):

@@ -14,6 +14,7 @@ import msgspec
 from roslens.cli.git.git_repository import Repository, said
 from roslens.cli.git.git_submodule import submodule_at
 from roslens.model.errors import UsageError
+from roslens.source.history.partial_clone import PARTIAL_SETTINGS
 
 LARGEST_BYTES = 2_000_000
 """Larger files are there, but empty: nothing is extracted from recordings, meshes and maps."""
@@ -131,6 +132,9 @@ def _contents(repository: Repository, commit: str, entries: Sequence[_Entry]) ->
                     process.wait()
                     reported.seek(0)
                     raise _incomplete(commit, reported.read().decode("utf-8", "replace").strip())
+                # Git before 2.45 ends at what a partial clone leaves out, later versions go on without it.
+                if len(head) != 3 and repository.git("config", "--get-regexp", PARTIAL_SETTINGS).stdout:
+                    raise _incomplete(commit, f'"{entry.path}" ({entry.hash[:12]}) is not in this partial clone')
                 yield entry, _content(process.stdout, int(head[2])) if len(head) == 3 else None
 
 

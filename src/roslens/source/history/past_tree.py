@@ -16,6 +16,7 @@ from roslens.children.git import git_environment, git_words
 from roslens.intake.bounded_file import MOST_SOURCE_BYTES
 from roslens.model.source import Language
 from roslens.source.history.git_answer import HistoryError, git_answer
+from roslens.source.history.partial_clone import is_partial
 from roslens.source.workspace.languages import language_by_name
 
 LARGEST_OTHER_BYTES = 1 << 16
@@ -136,6 +137,9 @@ class PastTree:
         if not head:
             raise HistoryError("git ended while it gave files")
         if len(head) != 3:
+            # Git before 2.45 ends here, later versions go on without what a partial clone leaves out.
+            if is_partial(self._top):
+                raise HistoryError(f'"{entry.path}" ({entry.hash[:12]}) is not in this partial clone')
             return None
         size = int(head[2])
         most = LARGEST_OTHER_BYTES if language_by_name(entry.path) is Language.OTHER else MOST_SOURCE_BYTES

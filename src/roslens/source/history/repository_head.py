@@ -14,6 +14,7 @@ from roslens.intake.bounded_file import read_bounded
 from roslens.model.process import Release
 from roslens.source.history.git_answer import HistoryError, git_answer
 from roslens.source.history.metrics.releases import is_release
+from roslens.source.history.partial_clone import is_partial
 from roslens.source.keys import content_hash
 
 
@@ -67,14 +68,7 @@ def head_of(top: str) -> RepositoryHead:
     except HistoryError:
         head = ""
     mailmap, attributes = (_hash(Path(top, path)) for path in (".mailmap", ".git/info/attributes"))
-    return RepositoryHead(top, head, shallow, _is_partial(top), tuple(_releases(top)), mailmap, attributes)
-
-
-def _is_partial(top: str) -> bool:
-    try:
-        return bool(git_answer(top, "config", "--get-regexp", r"^(remote\..*\.promisor|extensions\.partialclone)$"))
-    except HistoryError:
-        return False
+    return RepositoryHead(top, head, shallow, is_partial(top), tuple(_releases(top)), mailmap, attributes)
 
 
 def _releases(top: str) -> list[Release]:

@@ -10,6 +10,7 @@ from itertools import pairwise
 from pathlib import Path
 from threading import RLock
 from types import TracebackType
+from weakref import finalize
 
 import msgspec
 
@@ -69,6 +70,9 @@ class History:
         self._moments: list[Moment] = []
         # In memory there is one connection for all threads, and who reads must not see half a transaction.
         self._alone = RLock()
+        if path is None:
+            # What is in memory ends with its last user, who need not close it.
+            finalize(self, connection.close)
 
     @classmethod
     def open(cls, path: Path | None, tiers: tuple[Tier, ...] = TIERS) -> History:

@@ -4,6 +4,7 @@ import random
 import resource
 import sqlite3
 import struct
+from contextlib import closing
 
 import pytest
 
@@ -182,7 +183,7 @@ def test_a_database_that_was_cut_off_gives_what_stands_before(part, tmp_path, re
 
 def test_rows_that_are_no_messages_are_left_out(tmp_path, recording, content_of):
     path = recording(tmp_path, "sqlite", rows_of("sqlite", content_of, 30))
-    with sqlite3.connect(path) as database:
+    with closing(sqlite3.connect(path)) as database, database:
         database.execute("UPDATE messages SET timestamp = 'soon' WHERE id = 3")
         database.execute("UPDATE messages SET topic_id = 77 WHERE id = 5")
     database.close()

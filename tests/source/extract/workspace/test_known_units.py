@@ -1,6 +1,7 @@
 """What is known of units is what evaluating them again comes to, whatever was edited meanwhile."""
 
 import tempfile
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -220,7 +221,7 @@ def test_a_damaged_unit_is_evaluated_again(workspace, tmp_path):
         first = known(workspace, cache)
     import sqlite3
 
-    with sqlite3.connect(kept) as connection:
+    with closing(sqlite3.connect(kept)) as connection, connection:
         connection.execute(
             "UPDATE blob SET content = ? WHERE number IN (SELECT number FROM facts WHERE key LIKE 'graph:%')",
             (b"\x93",),

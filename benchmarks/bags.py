@@ -1,4 +1,4 @@
-"""The figures of the README on reading recordings.
+"""The figures of docs/costs.md on reading recordings.
 
     python benchmarks/bags.py [--messages 1000000] [--rounds 3]
 

@@ -1,4 +1,4 @@
-"""What looking at computation graphs costs in ``roslens check``: the figures of the README.
+"""What looking at computation graphs costs in ``roslens check``: the figures of docs/costs.md.
 
     python benchmarks/check_graph_speed.py WORKSPACE… [--rounds N]
 

@@ -1,8 +1,8 @@
-"""The figures of the README on the speed of the computation graph.
+"""The figures of docs/costs.md on the speed of the computation graph.
 
     python benchmarks/graph_speed.py CORPUS
 
-CORPUS is a folder with clones; the README's figures are of ros_comm 845f746, navigation 9ad6441 and
+CORPUS is a folder with clones; its figures are of ros_comm 845f746, navigation 9ad6441 and
 navigation2 a3a9704. Their C and C++ files and manifests are copied to a temporary folder; there run in
 turn, each as a whole process of its own with one job: metrics alone, metrics and the facts of all nodes
 with the same parse, facts alone, and facts again with everything in the cache. Then a configuration of

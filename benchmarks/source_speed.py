@@ -1,8 +1,8 @@
-"""The figures of the README on the speed of `roslens check`.
+"""The figures of docs/costs.md on the speed of `roslens check`.
 
     python benchmarks/source_speed.py CORPUS
 
-CORPUS is a folder with clones; the README's figures are of ros_comm 845f746, navigation 9ad6441 and
+CORPUS is a folder with clones; its figures are of ros_comm 845f746, navigation 9ad6441 and
 navigation2 a3a9704. Their C and C++ files and manifests are copied to a temporary folder; there run in
 turn: a bare tree-sitter parse of the same files, lizard, `roslens check` cold, warm, and after a change
 of one file. CPU seconds are of whole processes, children included.

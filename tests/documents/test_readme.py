@@ -1,4 +1,4 @@
-"""Every command of the README works as it stands there, or, where it needs what tests must not use, is understood."""
+"""Every command of the README and of *Commands by task* works as it stands, or, where tests must not, is understood."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from documents.commands import ROOT, Reader, blocks, squeezed, without_comment
 
 from roslens.cli.main import parser
 
+DOCUMENTS = ("README.md", "docs/commands.md")
 ONLY_UNDERSTOOD = {
     "roslens fetch": "asks a public server",
     "nav2": "reads what `roslens fetch` brought from a public server",
@@ -38,11 +39,12 @@ pytestmark = pytest.mark.heavy
 
 
 def commands() -> Iterator[str]:
-    for block in blocks((ROOT / "README.md").read_text("utf-8")):
-        for line in block.lines if block.is_commands else ():
-            command = without_comment(line).removesuffix(" &")
-            if command and not command.startswith(OTHERS):
-                yield command
+    for document in DOCUMENTS:
+        for block in blocks((ROOT / document).read_text("utf-8")):
+            for line in block.lines if block.is_commands else ():
+                command = without_comment(line).removesuffix(" &")
+                if command and not command.startswith(OTHERS):
+                    yield command
 
 
 def reason(command: str) -> str:

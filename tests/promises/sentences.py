@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).parents[2]
 PARTS = {
-    "README: promises": ("README.md", "### Promises\n"),
+    "README: promises": ("README.md", "## Promises\n"),
     "SECURITY: what it is": ("SECURITY.md", "# Security\n"),
     "SECURITY: trust model": ("SECURITY.md", "## Trust model\n"),
     "SECURITY: guarantees": ("SECURITY.md", "## Guarantees\n"),

@@ -23,7 +23,7 @@ from roslens.intake.file_budget import Slot, refuse, watch, why_ended
 WATCHED = frozenset(
     {
         "accept", "check", "compare", "doctor", "evidence", "explain", "graph", "history", "init", "interfaces",
-        "percentile", "plugins", "port", "report", "roles", "study", "trend", "trust",
+        "percentile", "plugins", "port", "report", "roles", "study", "trend", "trust", "why",
     }
 )  # fmt: skip
 """Commands that read a workspace and end."""

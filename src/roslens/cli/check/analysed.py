@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from roslens.cli.workplace.configuration import Configuration
     from roslens.source.answer import Answer
     from roslens.source.engines.cluster_ahead import ClusterAhead
+    from roslens.source.engines.told_progress import ToldProgress
     from roslens.source.settings import SourceSettings
     from roslens.store.runs import Store
 
@@ -42,7 +43,7 @@ def analysed(
     *,
     environment: Mapping[str, str],
     store: Store,
-    progress: FinishedProgress,
+    progress: FinishedProgress | ToldProgress,
     begun: float,
     unchanged: Mapping[str, str] | None = None,
 ) -> Answer:

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from roslens.cli.check.analysed import analysed
 from roslens.cli.check.kept_changed_run import changed_run
 from roslens.cli.workplace.trust_option import admitted_by
 from roslens.cli.workplace.workplace import STORE, open_store
+from roslens.intake.file_budget import is_watched
 from roslens.model.errors import UsageError
+from roslens.source.engines.told_progress import ToldProgress, heard_by
+from roslens.source.engines.watched_reader import Heard, WatchedReader
 
 if TYPE_CHECKING:
     from roslens.cli.check.analysed import FinishedProgress
+    from roslens.cli.workplace.configuration import Configuration
     from roslens.store.read import RunView
 
 
@@ -56,18 +60,42 @@ def shown_run(options: argparse.Namespace, progress: FinishedProgress) -> Iterat
         no_cache=options.no_cache,
         no_store=True,
     )
-    with (
-        # Not in memory: pages are written and served by several readers at once.
-        ScratchFolder("run") as folder,
-        Store.open(Path(folder, STORE)) as store,
-    ):
+    # Not in memory: pages are written and served by several readers at once.
+    with ScratchFolder("run") as folder:
+        kept = Path(folder, STORE)
+        given = (asked, root, admitted_by(options, find_configuration(root, None)), dict(os.environ), kept, begun)
+        if is_watched():
+            run = _analysed_into(progress, *given)
+        else:
+            reader = WatchedReader(str(root))
+            try:
+                run = reader.ask(analysed_for, *given, heard=heard_by(progress))
+            finally:
+                reader.end()
+                progress.finish()
+        with Store.open(kept) as store:
+            yield store.view(run)
+
+
+def analysed_for(tell: Heard, *given: Any) -> int | None:
+    """Analyse in a process that reads for another one, which is told of the progress; see :func:`_analysed_into`."""
+    return _analysed_into(ToldProgress(tell), *given)
+
+
+def _analysed_into(
+    progress: FinishedProgress | ToldProgress,
+    asked: argparse.Namespace,
+    root: Path,
+    configuration: Configuration,
+    environment: Mapping[str, str],
+    kept: Path,
+    begun: float,
+) -> int | None:
+    """Analyse a workspace, put the run into a store, and return its number there."""
+    from roslens.store.runs import Store
+
+    with Store.open(kept) as store:
         outcome = analysed(
-            asked,
-            root,
-            admitted_by(options, find_configuration(root, None)),
-            environment=dict(os.environ),
-            store=store,
-            progress=progress,
-            begun=begun,
+            asked, root, configuration, environment=environment, store=store, progress=progress, begun=begun
         )
-        yield store.view(outcome.run)
+    return outcome.run

@@ -9,13 +9,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.graph.graph_configurations import LOOKING
-from roslens.cli.graph.shown_graphs import cache_of, kept_graphs, shown_graphs
+from roslens.cli.graph.shown_graphs import cache_of, kept_graphs, note_of, read_graphs
+from roslens.intake.file_budget import refused
+from roslens.source.engines.told_progress import ToldProgress, heard_by
+from roslens.source.engines.watched_reader import Heard, WatchedReader
 
 if TYPE_CHECKING:
     import argparse
 
-    from roslens.cli.graph.shown_graphs import FinishedProgress
+    from roslens.cli.graph.shown_graphs import FinishedProgress, ReadGraphs
     from roslens.dashboard.site import Site
+    from roslens.model.result import RunHeader
     from roslens.source.progress import Progress
     from roslens.store.read import RunView
 
@@ -33,8 +37,16 @@ def site_at_once(
     return site, GraphsBeside(site, view, cache_of(view, options), progress, quiet=options.quiet).start
 
 
+def graphs_read(tell: Heard, header: RunHeader, cache: Path | None, quiet: bool) -> ReadGraphs:
+    """Read graphs in a process that reads for another one, which is told of the progress."""
+    read = read_graphs(header, cache, ToldProgress(tell), quiet=quiet)
+    for path, why in sorted(refused().items()):
+        print(f"roslens: {path} is left out of computation graphs: {why}", file=sys.stderr)
+    return read
+
+
 class GraphsBeside:
-    """Reads the graphs that a run does not keep in a thread of its own, and shows them once they are there."""
+    """Reads the graphs that a run does not keep in a process of its own, and shows them once they are there."""
 
     def __init__(
         self, site: Site, view: RunView, cache: Path | None, progress: Progress, *, quiet: bool = False
@@ -69,7 +81,13 @@ class GraphsBeside:
 
     def _read(self) -> None:
         try:
-            found, note = shown_graphs(self._view, self._cache, self, quiet=self._quiet)
+            header = self._view.header
+            reader = WatchedReader(header.root)
+            try:
+                read = reader.ask(graphs_read, header, self._cache, self._quiet, heard=heard_by(self))
+            finally:
+                reader.end()
+            note = note_of(self._view, read)
         except Exception as error:  # noqa: BLE001 - the pages of the run stay, whatever graphs are like
             print(f"roslens: computation graphs could not be read: {error}", file=sys.stderr)
             self._site.reading = f"Computation graphs could not be read: {error}"
@@ -78,6 +96,6 @@ class GraphsBeside:
             finish: Callable[[], None] | None = getattr(self._progress, "finish", None)
             if finish is not None:
                 finish()
-        if found is not None:
-            self._site.show_graphs(found.configurations, found.findings, note, counted=False, unstarted=found.unstarted)
+        found = read.found
+        self._site.show_graphs(found.configurations, found.findings, note, counted=False, unstarted=found.unstarted)
         self._site.reading = ""

@@ -7,8 +7,12 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import msgspec
+
+from roslens.cli.graph.graph_configurations import Assembled
+
 if TYPE_CHECKING:
-    from roslens.cli.graph.graph_configurations import Assembled, Named
+    from roslens.cli.graph.graph_configurations import Named
     from roslens.cli.graph.graph_source import GraphSource
     from roslens.cli.terminal.streams import LineProgress, NoProgress, TerminalProgress
     from roslens.dashboard.site import Site
@@ -92,24 +96,48 @@ def shown_graphs(
         progress: who watches.
         quiet: no hints.
     """
-    from roslens.cli.graph.graph_configurations import assembled, telling_first
-    from roslens.cli.graph.graph_source import GraphSource
-    from roslens.cli.workplace.changed_files import changed_files
-
     header = view.header
     if not Path(header.root).is_dir():
         return None, ""
+    read = read_graphs(header, cache, progress, quiet=quiet)
+    return read.found, note_of(view, read)
+
+
+class ReadGraphs(msgspec.Struct, frozen=True):
+    """What was read from the files of a workspace.
+
+    Attributes:
+        found: the configurations.
+        left_out: what readers have to know of those that are not shown.
+        paths: of the files that there are now.
+    """
+
+    found: Assembled
+    left_out: str
+    paths: frozenset[str]
+
+
+def read_graphs(header: RunHeader, cache: Path | None, progress: Progress, *, quiet: bool = False) -> ReadGraphs:
+    """Read the configurations of a run from its files; see :func:`shown_graphs`."""
+    from roslens.cli.graph.graph_configurations import assembled, telling_first
+    from roslens.cli.graph.graph_source import GraphSource
+
     settings = _settings_of(header)
     progress.step("Reading launch files and code", 0)
     with GraphSource(header.root, settings, "roslens.toml", {}, cache=cache, jobs=0, progress=progress) as source:
         chosen, left_out = _chosen(source, quiet=quiet)
         found = assembled(source, chosen, progress)
-        changed = changed_files(view, source.paths)
+        paths = source.paths
     for failure in found.failures:
         print(f"roslens: {failure}", file=sys.stderr)
-    return found if settings.graph.configurations else telling_first(found), " ".join(
-        filter(None, (left_out, _note(changed)))
-    )
+    return ReadGraphs(found if settings.graph.configurations else telling_first(found), left_out, paths)
+
+
+def note_of(view: RunView, read: ReadGraphs) -> str:
+    """Return what readers have to know of graphs that were read now, besides a run."""
+    from roslens.cli.workplace.changed_files import changed_files
+
+    return " ".join(filter(None, (read.left_out, _note(changed_files(view, read.paths)))))
 
 
 def _note(changed: tuple[str, ...]) -> str:
@@ -124,8 +152,6 @@ def _note(changed: tuple[str, ...]) -> str:
 
 
 def _settings_of(header: RunHeader) -> SourceSettings:
-    import msgspec
-
     from roslens.source.settings import SourceSettings
 
     try:

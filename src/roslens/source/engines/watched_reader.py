@@ -44,12 +44,12 @@ class LostReaderError(RuntimeError):
 class WatchedReader:
     """Answers questions in a process of its own, one after the other; it is started by the first question."""
 
-    def __init__(self, root: str = "", *, jobs: int = 1) -> None:
+    def __init__(self, root: str = "", *, jobs: int = 0) -> None:
         """Start nothing yet.
 
         Args:
             root: folder to which paths of files are relative.
-            jobs: how many processes share the memory that files may take.
+            jobs: how many processes share the memory that files may take; 0 for one for each processor.
         """
         self._root = root
         self._jobs = jobs

@@ -2,6 +2,7 @@
 
 import pytest
 
+from roslens.intake.file_budget import refuse, refuse_only
 from roslens.model.configuration import Standing
 from roslens.source.extract.facts.launched import Fault
 from roslens.source.extract.launch.launch_ros1 import evaluate_ros1
@@ -180,3 +181,15 @@ def test_blanks_part_the_arguments_of_an_expression_as_the_grammar_of_launch_has
 def test_a_condition_takes_fewer_words_than_a_substitution(written):
     assert failed(f'<launch>\n<group if="{written}"/></launch>') == [(Fault.EXPRESSION, 2, False)]
     assert failed('<launch><group if="TRUE"/><group unless="0"/></launch>') == []
+
+
+@pytest.mark.parametrize("evaluate", [evaluate_ros1, evaluate_ros2], ids=["ros1", "ros2"])
+def test_a_file_that_is_left_out_is_told_and_not_read_again(evaluate):
+    files = Workspace({"src/p/launch/a.launch.xml": "<launch/>"})
+    refuse({"src/p/launch/a.launch.xml": "it breaks the parser"})
+    try:
+        launch = evaluate("src/p/launch/a.launch.xml", files)
+    finally:
+        refuse_only({})
+    assert launch.cut
+    assert [one.reason for one in launch.unresolved] == ["it breaks the parser"]

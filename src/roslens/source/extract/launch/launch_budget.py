@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import Protocol
+from collections.abc import Callable
+from typing import Protocol, TypeVar
 
 from roslens.intake.file_budget import file_budget
 from roslens.intake.time_budget import OverBudgetError
 from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.extract.launch.launch_failures import Failures
+
+Result = TypeVar("Result")
 
 
 class Miss(Protocol):
@@ -19,12 +20,17 @@ class Miss(Protocol):
         """Note it."""
 
 
-@contextmanager
-def within_budget(miss: Miss, failures: Failures, path: str, evidence: Evidence, size: int = 1 << 20) -> Iterator[None]:
-    """Let what is done inside take what a file may; where it takes more, that is noted, and nothing is raised."""
+def within_budget(
+    miss: Miss, failures: Failures, path: str, evidence: Evidence, read: Callable[[], Result], size: int = 1 << 20
+) -> Result | None:
+    """Return what ``read`` does within what a file may take; where it takes more, that is noted, and there is nothing.
+
+    A file that is known to take more is not read.
+    """
     try:
         with file_budget(path, size=size):
-            yield
+            return read()
     except OverBudgetError as error:
         failures.is_cut = True
         miss(error.subject or path, evidence, str(error), opens=True)
+        return None

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 
 import msgspec
 
@@ -60,8 +61,8 @@ def evaluate_ros1(
     """
     whole = _Whole(files, environment or {})
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
-    with within_budget(whole.miss, whole.failures, path, Evidence(path, 0)):
-        whole.file(path, Given(given, outer=True), Space(Text.of("/")), Evidence(path, 0), [])
+    follow = partial(whole.file, path, Given(given, outer=True), Space(Text.of("/")), Evidence(path, 0), [])
+    within_budget(whole.miss, whole.failures, path, Evidence(path, 0), follow)
     launch = Launch(
         "ros1", tuple(whole.overridden()), tuple(whole.settings), tuple(whole.arguments), tuple(whole.included),
         tuple(whole.unresolved), whole.failures.failed, cut=whole.failures.is_cut,
@@ -102,9 +103,9 @@ class _Whole:
             self.miss(path, evidence, "there is no such file in the workspace", opens=True, fault=Fault.MISSING_FILE)
             return space.private
         self._read += 1
-        document = Document(None, (), (0,))
-        with within_budget(self.miss, self.failures, path, evidence, len(content)):
-            document = read_elements(content)
+        read = partial(read_elements, content)
+        budgeted = within_budget(self.miss, self.failures, path, evidence, read, len(content))
+        document = budgeted or Document(None, (), (0,))
         for fault in document.faults:
             place = Evidence(path, *document.place(fault.offset))
             self.miss(fault.what, place, f"expected {fault.expected or 'readable XML'}", opens=True)

@@ -8,6 +8,7 @@ condition are followed, and what is started there keeps the condition.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 import msgspec
 
@@ -56,8 +57,8 @@ def evaluate_ros2(
     """
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
     whole = _Whole(files, environment or {}, any_arguments=any_arguments)
-    with within_budget(whole.miss, whole.failures, path, Evidence(path, 0)):
-        whole.file(path, given, Space(), Evidence(path, 0), outer=True)
+    place = Evidence(path, 0)
+    within_budget(whole.miss, whole.failures, path, place, partial(whole.file, path, given, Space(), place, outer=True))
     return Launch(
         "ros2", tuple(whole.nodes), (), tuple(whole.arguments), tuple(whole.included), tuple(whole.unresolved),
         whole.failures.failed, whole.failures.raw_files, whole.shared.found, cut=whole.failures.is_cut,
@@ -98,10 +99,9 @@ class _Whole:
             self.end(Fault.MISSING_FILE, path, "there is no such file in the workspace", evidence)
             return
         self._read += 1
-        actions: tuple[Action, ...] = ()
+        read = partial(actions_of, path, content, self.files)
         try:
-            with within_budget(self.miss, self.failures, path, evidence, len(content)):
-                actions = actions_of(path, content, self.files)
+            actions = within_budget(self.miss, self.failures, path, evidence, read, len(content)) or ()
         except DocumentError as error:
             place, reason = place_and_reason(error, path, evidence)
             self.end(Fault.UNREADABLE, path, reason, place)

@@ -125,8 +125,8 @@ def test_less_is_read_here_where_nobody_watches():
         unwatch()
 
 
-def test_what_an_editor_has_open_is_read_apart(tmp_path, fresh, monkeypatch):
-    """`lsp`, `serve` and a cluster have no process that watches them: a file costs them neither memory nor time."""
+def test_what_nobody_watches_is_read_apart(tmp_path, fresh, monkeypatch):
+    """A worker of a cluster has no process that watches it: a source costs it neither memory nor time."""
     package = tmp_path / "arm"
     package.mkdir()
     (package / "package.xml").write_text(MANIFEST)

@@ -30,10 +30,10 @@ WATCHED = frozenset(
 
 UNWATCHED = frozenset(
     {
-        # These read it in the process that answers, and go on.
-        "lsp", "serve", "watch",
+        # These go on, and have a process of its own read it, which they watch (`WatchedReader`).
+        "lsp", "serve",
         # These read no file of a workspace but configuration and YAML, both of which have limits of their own.
-        "agent", "clean", "completion", "env", "fetch", "journal", "react", "reference", "run", "top",
+        "agent", "clean", "completion", "env", "fetch", "journal", "react", "reference", "run", "top", "watch",
     }
 )  # fmt: skip
 

@@ -75,6 +75,10 @@ class Document(msgspec.Struct, frozen=True):
         return line, offset - self.line_starts[line - 1] + 1
 
 
+UNREAD = Document(None, (), (0,))
+"""A document that is not read."""
+
+
 def read_elements(content: bytes) -> Document:
     """Read a document; a fault ends the reading but what was read before it stays.
 

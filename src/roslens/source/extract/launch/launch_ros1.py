@@ -38,7 +38,7 @@ from roslens.source.extract.launch.ros1_words import words_of
 from roslens.source.extract.launch.ros_controllers import with_controllers
 from roslens.source.extract.symbolic.reason import RandomEnd
 from roslens.source.extract.symbolic.text import Not, Text, Written, unknown
-from roslens.source.workspace.elements import Document, Element, read_elements
+from roslens.source.workspace.elements import UNREAD, Document, Element, read_elements
 
 MOST_FILES = 200
 MOST_DEPTH = 30
@@ -104,8 +104,7 @@ class _Whole:
             return space.private
         self._read += 1
         read = partial(read_elements, content)
-        budgeted = within_budget(self.miss, self.failures, path, evidence, read, len(content))
-        document = budgeted or Document(None, (), (0,))
+        document = within_budget(self.miss, self.failures, path, evidence, read, len(content)) or UNREAD
         for fault in document.faults:
             place = Evidence(path, *document.place(fault.offset))
             self.miss(fault.what, place, f"expected {fault.expected or 'readable XML'}", opens=True)

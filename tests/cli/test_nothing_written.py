@@ -94,9 +94,9 @@ def test_every_verb_that_can_keep_something_is_asked():
         for verb, one in verbs.choices.items()
     }
     asked = {words[0] for words in CASES.values()}
-    assert {verb for verb, options in keeping.items() if options} == asked | {"compare", "interfaces", "port"}
+    assert {verb for verb, options in keeping.items() if options} == asked | {"compare", "interfaces", "port", "why"}
     assert all(len(keeping[verb]) == len(KEEPING_NOTHING) for verb in asked), "who takes one takes both"
-    for verb in ("compare", "interfaces", "port"):
+    for verb in ("compare", "interfaces", "port", "why"):
         assert keeping[verb] == ["--no-cache"], "they keep no runs"
 
 

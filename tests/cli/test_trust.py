@@ -86,11 +86,11 @@ def test_an_editor_that_opens_the_folder_runs_nothing(workspace):
 
     options = Namespace(config=None, model=None, no_cache=True)
     folder = Folder(workspace, options)
-    folder.cache.close()
+    folder.end()
     assert not ran(workspace)
     main(["trust", str(workspace)])
     folder = Folder(workspace, options)
-    folder.cache.close()
+    folder.end()
     assert ran(workspace)
 
 

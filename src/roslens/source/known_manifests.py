@@ -38,11 +38,14 @@ class KnownManifests:
 
         package, failures = read_manifest(content, path, environment)
         try:
-            self._new[key] = msgspec.msgpack.encode(_Read(package, failures))
+            blob = msgspec.msgpack.encode(_Read(package, failures))
         except UnicodeEncodeError:
             # A name with bytes that are no text cannot be kept; it is read again each time.
             return package, failures
-        return package, failures
+        self._new[key] = blob
+        # The keys of results are of what is encoded, and Python 3.10 has empty tuples that are not the default one.
+        known = self._decoder.decode(blob)
+        return known.package, known.failures
 
     def keep(self) -> None:
         """Keep what was read for the next run."""

@@ -61,15 +61,17 @@ def qos_fit(ends: Sequence[Placed], of: str) -> Step | None:
     known = [one for one in (*publishers, *subscriptions) if one.endpoint.qos is not None]
     if not publishers or not subscriptions or not known:
         return None
-    lines, starved = [], []
+    lines, starved, reasons = [], [], set[str]()
     for sub in subscriptions:
         apart = {pub.label: _lacking(pub, sub) for pub in publishers}
         lines += [f"{sub.label} and {label}: {words}" for label, words in apart.items() if words]
         if all(apart.values()):
             starved.append(sub)
+            reasons.update(apart.values())
     if starved:
         names = ", ".join(dict.fromkeys(one.endpoint.node for one in starved))
-        says = f"{names} can receive nothing: requested is more than any publisher offers"
+        reason = reasons.pop() if len(reasons) == 1 else "each publisher offers less than is requested"
+        says = f"{names} can receive nothing: {reason}"
         how = "offer more at the publisher, or request less at the subscription"
         return Step(Asks.QOS, StepState.NOT, says, of, tuple(lines[:_MOST]), how)
     if len(known) < len(publishers) + len(subscriptions):

@@ -16,8 +16,9 @@ def test_the_page_is_made_anew_for_each_request():
                 assert answer.headers["Content-Type"].startswith("text/plain; version=0.0.4")
                 assert answer.headers["Content-Length"] == str(len(expected.encode()))
                 assert answer.read().decode() == expected
-        with pytest.raises(urllib.error.HTTPError, match="only /metrics"):
+        with pytest.raises(urllib.error.HTTPError, match="only /metrics") as refused:
             urllib.request.urlopen(endpoint.url + "x")
+        refused.value.close()
     finally:
         endpoint.close()
     with pytest.raises(urllib.error.URLError):
@@ -60,7 +61,8 @@ def test_who_makes_no_page_in_time_is_named():
 
     endpoint = Endpoint(("127.0.0.1", 0), page)
     try:
-        with pytest.raises(urllib.error.HTTPError, match="503: no answer for 5 s"):
+        with pytest.raises(urllib.error.HTTPError, match="503: no answer for 5 s") as refused:
             urllib.request.urlopen(endpoint.url)
+        refused.value.close()
     finally:
         endpoint.close()

@@ -41,6 +41,7 @@ def fetched(address: str, what: str, environment: Mapping[str, str] = os.environ
                     return bytes(answer.read(_MOST_BYTES))
                 tried = "a page that is not a live page"
         except urllib.error.HTTPError as error:
+            error.close()
             if error.code in (401, 403):
                 raise UsageError(
                     f"{address} asks for a token",

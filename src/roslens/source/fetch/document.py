@@ -68,6 +68,7 @@ def _of_server(url: str, retry: Retry) -> bytes:
                 return content
             wrong, again = f"more than {MOST_BYTES:,} bytes", False
         except urllib.error.HTTPError as error:
+            error.close()
             wrong, again = f"the server answers {error.code} {error.reason}", error.code in _AGAIN
         except urllib.error.URLError as error:
             wrong = str(error.reason)

@@ -1,12 +1,17 @@
 import bz2
+import sys
 
 import lz4.frame
 import pytest
-from backports import zstd
 
 import roslens.live.adapters.bag.decompress as decompress_module
 from roslens.live.adapters.bag.damage import DamageError
 from roslens.live.adapters.bag.decompress import LARGEST, RATIO, UNCHECKED, decompress, most_unpacked, unpack_start
+
+if sys.version_info >= (3, 14):
+    from compression import zstd
+else:
+    from backports import zstd
 
 PACK = {"bz2": bz2.compress, "lz4": lz4.frame.compress, "zstd": zstd.compress, "": bytes, "none": bytes}
 TEXT = b"".join(number.to_bytes(4, "little") for number in range(50_000))

@@ -67,6 +67,7 @@ def act(decision: Decision) -> str:
         ) as answer:
             return f"posted to {urlsplit(url).hostname}, which answered {answer.status}"
     except urllib.error.HTTPError as error:
+        error.close()
         raise ActionError(f"{urlsplit(url).hostname} answered {error.code}", expected="2xx") from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "reason", error)

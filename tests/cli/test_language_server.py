@@ -7,6 +7,7 @@ import sys
 from importlib.util import find_spec
 
 import pytest
+from cli.broken_parser import BREAKING
 
 from roslens.cli.main import main
 
@@ -218,23 +219,6 @@ def test_a_wrong_configuration_is_shown_and_the_server_goes_on(editor):
     (shown,) = [one["params"]["message"] for one in editor.reported if one.get("method") == "window/showMessage"]
     assert "unknown key 'modles'" in shown
     assert editor.stop() == 0
-
-
-BREAKING = """
-import os
-import roslens.intake.file_budget as budget
-
-real = budget._bounded
-
-def bounded(subject, size, seconds):
-    # As a parser that is broken, wherever the file is read.
-    if subject in os.environ["BROKEN_BY"].split(":"):
-        budget._slot[0].put(subject) if budget._slot else None
-        os.abort()
-    return real(subject, size, seconds)
-
-budget._bounded = bounded
-"""
 
 
 @pytest.mark.heavy

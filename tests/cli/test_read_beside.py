@@ -8,6 +8,7 @@ import time
 from types import SimpleNamespace
 
 import pytest
+from cli.broken_parser import BREAKING
 
 from roslens.cli.check.shown_run import shown_run
 from roslens.cli.graph import read_beside
@@ -87,23 +88,6 @@ def test_what_cannot_be_read_is_told_and_the_pages_stay(view, monkeypatch, capsy
     assert site.reading == "Computation graphs could not be read: the reason"
     assert "the reason" in capsys.readouterr().err
     assert PAGES["overview"](site, Request()) is not None
-
-
-BREAKING = """
-import os
-import roslens.intake.file_budget as budget
-
-real = budget._bounded
-
-def bounded(subject, size, seconds):
-    # As a parser that is broken, wherever the file is read.
-    if subject in os.environ["BROKEN_BY"].split(":"):
-        budget._slot[0].put(subject) if budget._slot else None
-        os.abort()
-    return real(subject, size, seconds)
-
-budget._bounded = bounded
-"""
 
 
 @pytest.fixture

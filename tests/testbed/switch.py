@@ -152,7 +152,9 @@ class Switch:
     def answer(self, request: bytes) -> bytes:
         """Carries out one request of the control socket, `{"host": NAME, SETTING: VALUE...}` or `{}`."""
         try:
-            asked = dict(json.loads(request))
+            asked = json.loads(request)
+            if not isinstance(asked, dict):
+                raise TypeError(f"{request.decode()!r}: expected an object")  # noqa: TRY301
             if asked:
                 self._change(asked.pop("host", None), asked)
         except (ValueError, TypeError, AttributeError) as error:

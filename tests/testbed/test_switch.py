@@ -69,7 +69,7 @@ def test_frames_may_overtake_where_that_is_asked_for():
         ({"host": "sensor", "dealy_ms": 1}, "dealy_ms"),
         ({"host": "sensor", "delay_ms": -1}, "-1"),
         ({"host": "sensor", "delay_ms": "much"}, "much"),
-        ([1], "sequence"),
+        ([1], "[1]"),
     ],
 )
 def test_wrong_requests_are_named_and_change_nothing(request_, named):

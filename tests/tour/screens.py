@@ -7,6 +7,7 @@ import re
 from collections import deque
 from html import unescape
 from typing import Any
+from urllib.error import HTTPError
 from urllib.parse import quote, unquote, urljoin, urlsplit
 from urllib.request import urlopen
 
@@ -36,8 +37,11 @@ def screens(base: str) -> tuple[Station, ...]:
         try:
             with urlopen(base + path) as answer:
                 text = answer.read().decode()
-        except OSError:
+        except HTTPError as error:
+            error.close()
             continue  # a page that this server does not have
+        except OSError:
+            continue
         found[kind] = path
         for href in _LINK.findall(text):
             address = urlsplit(urljoin(base + path, unescape(href)))
@@ -56,6 +60,9 @@ def of_what_runs(base: str) -> tuple[Station, ...]:
             snapshot = json.load(answer)
         with urlopen(f"{base}/live/timeline.json") as answer:
             timeline = json.loads(answer.read() or "{}")
+    except HTTPError as error:
+        error.close()
+        return ()
     except OSError:
         return ()
     return stations_of(snapshot, timeline)

@@ -113,6 +113,8 @@ def git_ssh(folder: Path) -> Iterator[tuple[str, str]]:
     program = shutil.which("sshd") or "/usr/sbin/sshd"
     if not Path(program).exists():
         pytest.skip("sshd is not installed: apt-get install openssh-server")
+    if not shutil.which("ssh"):
+        pytest.skip("ssh is not installed: apt-get install openssh-client")
     folder.mkdir()
     for name in ("host", "user"):
         subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", folder / name], check=True)

@@ -13,15 +13,14 @@ from dashboard.live.scripted_robot import ScriptedRobot
 import roslens
 from roslens.cli.page.watch_screen import nameless
 from roslens.cli.terminal.streams import LineProgress
-from roslens.dashboard.computation.system import VERB
 from roslens.dashboard.server import create_app
 from roslens.judge.quality.constraint import Constraint
 from roslens.judge.ranges.range import Range
 from roslens.live.system.tree import SystemView
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Role
+from roslens.model.graphs.end import VERB
 from roslens.model.verdict import State
-from roslens.source.rules.graph.ends import WORDS
 
 TEXTS = [
     (path, path.read_text("utf-8"))
@@ -49,10 +48,6 @@ def test_a_limit_says_how_many_are_outside(client: Client) -> None:
 
 def test_who_hears_a_topic_subscribes_to_it() -> None:
     assert VERB[Role.SUBSCRIPTION] == "subscribes to"
-
-
-def test_findings_of_graphs_say_it_like_the_pages() -> None:
-    assert WORDS[Role.SUBSCRIPTION] == VERB[Role.SUBSCRIPTION]
 
 
 def test_a_step_of_unknown_length_has_no_number_of_all() -> None:

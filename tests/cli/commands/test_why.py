@@ -113,6 +113,23 @@ def test_an_unknown_name_and_no_source_are_usage_errors(rover, tmp_path, capsys)
     assert "transform" in capsys.readouterr().err
 
 
+def test_a_configuration_whose_launch_file_is_missing_is_noted_and_the_others_are_looked_at(rover, capsys):
+    change(rover / "roslens.toml", "rover_teleop/teleop.launch", "rover_teleop/telop.launch")
+    code, answer = asked(capsys, "/scan", rover)
+    assert (code, answer["cause"]) == (0, None)
+    (note,) = answer["notes"]
+    assert note.startswith('configuration "legacy_teleop": ')
+    assert "rover_teleop/telop.launch" in note
+    assert "rover_teleop/teleop.launch" in note
+
+
+def test_where_no_configuration_has_its_launch_file_those_of_the_packages_are_looked_at(rover, capsys):
+    (rover / "roslens.toml").write_text('[graph.configurations.gone]\nlaunch = "nowhere/gone.launch.py"\n')
+    code, answer = asked(capsys, "/scan", rover)
+    assert (code, answer["cause"], len(answer["notes"])) == (0, None, 1)
+    assert answer["looked_at"][0].startswith("source: rover.launch.py")
+
+
 def recording(folder, streams, logs=()):
     """Write messages: of each topic its seconds; of logs second, node and text, as errors. The last is at 60 s."""
     text, log = STORE.types["std_msgs/msg/String"], STORE.types["rcl_interfaces/msg/Log"]

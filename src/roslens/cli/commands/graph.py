@@ -11,6 +11,7 @@ from roslens.cli.completion_words import ARGUMENTS, LAUNCHES
 from roslens.cli.graph.graph_check import add_check_arguments
 from roslens.cli.terminal.boundary import CLEAN, NOT_ANALYSED
 from roslens.cli.terminal.streams import add_stream_arguments, write_result
+from roslens.cli.workplace.reading_options import add_reading_arguments
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -61,9 +62,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("-o", "--output", metavar="FILE", help="write the result to this file instead")
     parser.add_argument("--html", metavar="FILE", help="draw it: one HTML file that needs nothing else")
-    parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
-    parser.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
-    parser.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing")
+    add_reading_arguments(parser)
     parser.add_argument("--no-store", action="store_true", help="as with check; graphs alone are never stored")
     add_check_arguments(parser)
     add_stream_arguments(parser)

@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from roslens.cli.terminal.streams import add_stream_arguments
+from roslens.cli.workplace.reading_options import add_reading_arguments
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -45,9 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fail-on", choices=FAIL_ON, default="breaking", help="when the exit code is 1, with --since")
     parser.add_argument("--format", choices=("text", "markdown", "json"), default="text")
     parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of standard output")
-    parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
-    parser.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
-    parser.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing")
+    add_reading_arguments(parser)
     add_stream_arguments(parser)
 
 

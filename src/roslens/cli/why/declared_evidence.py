@@ -11,8 +11,8 @@ from roslens.compare.why.declared import Declared, Elsewhere, ends_of
 from roslens.model.configuration import Configuration, ConfiguredArgument
 
 if TYPE_CHECKING:
-    from roslens.cli.graph.graph_configurations import Named
     from roslens.cli.graph.graph_source import GraphSource
+    from roslens.cli.why.launch_files import LaunchFile
 
 _MOST_SWITCHES = 12
 _TRUTHS = {"true": "false", "false": "true", "True": "False", "False": "True", "1": "0", "0": "1"}
@@ -28,26 +28,25 @@ def declared_evidence(options: argparse.Namespace, names: Callable[[Configuratio
     Raises:
         UsageError: there is no such folder or launch file.
     """
-    from roslens.cli.graph.graph_configurations import largest, named_configurations
     from roslens.cli.graph.graph_findings import findings_of
     from roslens.cli.graph.graph_opened import open_source
     from roslens.cli.graph.graph_source import arguments_of
+    from roslens.cli.why.launch_files import launch_files
 
     with open_source(options) as source:
         for failure in source.facts.broken:
             print(f"roslens: {failure.what}; {failure.advice}", file=sys.stderr)
         given = arguments_of(options.arg)
-        named = () if options.launch else largest(source, named_configurations(source))
-        made = {one.name: source.launched(one.launch, one.arguments) for one in named}
+        files, failures = launch_files(source)
         built = source.packages(())
         if options.launch:
             title, launch, configuration = options.launch, options.launch, source.launched(options.launch, given)
-        elif made:
-            title = _best(made, names)
-            launch = next(one.launch for one in named if one.name == title)
-            given = {**next(one.arguments for one in named if one.name == title), **given}
-            configuration = source.launched(launch, given) if options.arg else made[title]
-            _tell(title, len(made), options)
+        elif files:
+            title = _best(files, names)
+            named = files[title].named
+            launch, given = named.launch, {**named.arguments, **given}
+            configuration = source.launched(launch, given) if options.arg else files[title].configuration
+            _tell(title, len(files), options)
         elif built:
             configuration = max(built, key=names)
             title, launch = configuration.title, ""
@@ -55,7 +54,7 @@ def declared_evidence(options: argparse.Namespace, names: Callable[[Configuratio
             return None
         elsewhere = [
             *(_switched(source, launch, configuration, given, options.path) if launch else ()),
-            *_other_launches(source, named, made, title, configuration, options),
+            *_other_launches(source, files, title, configuration, options.path),
             *(Elsewhere("the workspace builds it, but this does not start it", one)
               for one in built if one.title != configuration.title and one.generation == configuration.generation),
             *(Elsewhere("a library, plug-in or script that no known program starts makes it", one, loose=True)
@@ -66,7 +65,7 @@ def declared_evidence(options: argparse.Namespace, names: Callable[[Configuratio
         shown = _shown(launch, source, given)
         command = f"roslens graph {options.path}{f' --launch {shown}' if shown else ''}"
         said = f"{title}{_words(given)}"
-        return Declared(said, configuration, tuple(elsewhere), tuple(findings), bool(launch), command)
+        return Declared(said, configuration, tuple(elsewhere), tuple(findings), bool(launch), command, failures)
 
 
 def _words(given: dict[str, str]) -> str:
@@ -78,9 +77,9 @@ def _shown(launch: str, source: GraphSource, given: dict[str, str]) -> str:
     return place + "".join(f" --arg {name}:={value}" for name, value in given.items()) if place else ""
 
 
-def _best(made: dict[str, Configuration], names: Callable[[Configuration], bool]) -> str:
+def _best(files: dict[str, LaunchFile], names: Callable[[Configuration], bool]) -> str:
     """Return the launch file that has the entity, of several the one that starts most nodes."""
-    return max(made, key=lambda name: (names(made[name]), len(made[name].nodes)))
+    return max(files, key=lambda name: (names(files[name].configuration), len(files[name].configuration.nodes)))
 
 
 def _tell(title: str, among: int, options: argparse.Namespace) -> None:
@@ -116,16 +115,10 @@ def _other_values(argument: ConfiguredArgument, given: dict[str, str]) -> tuple[
 
 
 def _other_launches(
-    source: GraphSource, named: tuple[Named, ...], made: dict[str, Configuration], title: str,
-    configuration: Configuration, options: argparse.Namespace,
-) -> Iterator[Elsewhere]:  # fmt: skip
-    if options.launch:
-        from roslens.cli.graph.graph_configurations import largest, named_configurations
-
-        named = largest(source, named_configurations(source))
-        made = {one.name: source.launched(one.launch, one.arguments) for one in named}
-    for one in named:
-        other = made[one.name]
-        if one.name != title and other.title != configuration.title and other.generation == configuration.generation:
-            shown = _shown(one.launch, source, one.arguments)
-            yield Elsewhere(f"{one.name} starts it", other, f"roslens graph {options.path} --launch {shown}")
+    source: GraphSource, files: dict[str, LaunchFile], title: str, configuration: Configuration, path: str
+) -> Iterator[Elsewhere]:
+    for name, one in files.items():
+        other = one.configuration
+        if name != title and other.title != configuration.title and other.generation == configuration.generation:
+            shown = _shown(one.named.launch, source, one.named.arguments)
+            yield Elsewhere(f"{name} starts it", other, f"roslens graph {path} --launch {shown}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.compare.why.declared import KIND, MAKERS, Declared, known_names
+from roslens.compare.why.declared import MAKERS, Declared, known_names
 from roslens.compare.why.from_live import steps_of_live
 from roslens.compare.why.from_recording import steps_of_recording
 from roslens.compare.why.from_source import steps_of_source
@@ -13,6 +13,7 @@ from roslens.compare.why.question import Known, Question
 from roslens.compare.why.recorded import Recorded
 from roslens.model.answers.answer import Answer, Asks, Step, StepState, in_order
 from roslens.model.errors import UsageError
+from roslens.model.graphs.end import KIND
 
 
 def known_to(declared: Declared | None, recorded: Recorded | None, observed: Observed | None = None) -> Known:
@@ -54,6 +55,7 @@ def answer(
     looked_at += [f"recording: {recorded.title}"] if recorded is not None else []
     notes = tuple(observed.failures) if observed is not None else ()
     notes += recorded.failures if recorded is not None else ()
+    notes += declared.failures if declared is not None else ()
     return Answer(question.entity, tuple(looked_at), in_order(tuple(steps)), notes)
 
 

@@ -6,67 +6,13 @@ from collections.abc import Iterator
 
 import msgspec
 
-from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
+from roslens.model.configuration import Configuration, ConfiguredNode
 from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.graphs.end import KIND, End
 
-KIND = {
-    Role.PUBLISHER: "topic", Role.SUBSCRIPTION: "topic",
-    Role.SERVICE_SERVER: "service", Role.SERVICE_CLIENT: "service",
-    Role.ACTION_SERVER: "action", Role.ACTION_CLIENT: "action",
-}  # fmt: skip
 MAKERS = {"topic": Role.PUBLISHER, "service": Role.SERVICE_SERVER, "action": Role.ACTION_SERVER}
 """Who makes what arrives, by kind of entity."""
-VERB = {
-    Role.PUBLISHER: "publishes", Role.SUBSCRIPTION: "subscribes to",
-    Role.SERVICE_SERVER: "serves", Role.SERVICE_CLIENT: "calls",
-    Role.ACTION_SERVER: "serves", Role.ACTION_CLIENT: "calls",
-}  # fmt: skip
-
-
-class End(msgspec.Struct, frozen=True):
-    """An endpoint and its node."""
-
-    node: ConfiguredNode
-    one: ConfiguredEndpoint
-
-    @property
-    def name(self) -> str:
-        """Resolved name."""
-        return self.one.endpoint.name
-
-    @property
-    def role(self) -> Role:
-        """What it does."""
-        return self.one.endpoint.role
-
-    @property
-    def conditions(self) -> tuple[str, ...]:
-        """What must hold for it to be there."""
-        return (*self.node.conditions, *self.one.conditions)
-
-    @property
-    def own_name(self) -> str:
-        """The name that it had without remappings."""
-        given = self.one.given or self.name
-        if given.startswith("/"):
-            return given
-        if given.startswith("~"):
-            return f"{self.node.name}/{given[1:].lstrip('/')}"
-        return f"{self.node.name.rpartition('/')[0]}/{given}"
-
-    @property
-    def line(self) -> str:
-        """The end in words, with the places of its code, its start and its remapping."""
-        started = self.node.proof.place
-        words = f"{self.node.name} {VERB[self.role]} {self.name}: {self.one.proof.place or self.one.proof.how}"
-        if started and started != self.one.proof.place:
-            words += f", started at {started}"
-        if self.one.remapped is not None and self.own_name != self.name:
-            words += f", remapped from {self.own_name} at {self.one.remapped.place}"
-        if self.conditions:
-            words += f", only if {' and '.join(f'`{one}`' for one in self.conditions)}"
-        return words
 
 
 class Elsewhere(msgspec.Struct, frozen=True):
@@ -91,6 +37,7 @@ class Declared(msgspec.Struct, frozen=True):
         findings: of the rules on this configuration.
         launched: whether a launch file says what runs together.
         command: that shows the configuration.
+        failures: launch files that could not be looked at, a sentence each.
     """
 
     title: str
@@ -99,6 +46,7 @@ class Declared(msgspec.Struct, frozen=True):
     findings: tuple[Finding, ...] = ()
     launched: bool = True
     command: str = ""
+    failures: tuple[str, ...] = ()
 
 
 def ends_of(configuration: Configuration, *, implicit: bool = False) -> Iterator[End]:

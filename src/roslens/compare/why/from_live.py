@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from roslens.compare.why.apart import reached
-from roslens.compare.why.declared import KIND, MAKERS, VERB, Declared, ends_named
+from roslens.compare.why.declared import MAKERS, Declared, ends_named
 from roslens.compare.why.fit import Placed, qos_fit, type_fit
 from roslens.compare.why.observed import Observed
 from roslens.compare.why.question import Question, near_names
 from roslens.model.answers.answer import Asks, Step, StepState
 from roslens.model.configuration import ConfiguredNode
 from roslens.model.graph import Endpoint, Node, Role
+from roslens.model.graphs.end import KIND, VERB
 
 _MOST = 6
 _NOT_ACTIVE = {

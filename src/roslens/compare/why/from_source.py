@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.compare.why.declared import KIND, MAKERS, Declared, ends_named, ends_of
+from roslens.compare.why.declared import MAKERS, Declared, ends_named, ends_of
 from roslens.compare.why.fit import Placed, qos_fit, type_fit
 from roslens.compare.why.makers import source_exists, source_makers, source_users
 from roslens.compare.why.question import Question, near_names
@@ -12,6 +12,7 @@ from roslens.model.answers.answer import Asks, Step, StepState
 from roslens.model.configuration import ConfiguredNode
 from roslens.model.finding import Severity
 from roslens.model.graph import Role
+from roslens.model.graphs.end import KIND
 
 _MOST = 6
 _SHOWN_ELSEWHERE = frozenset({"graph.qos", "graph.type", "graph.one_end"})

@@ -6,20 +6,11 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
-from roslens.compare.why.declared import (
-    KIND,
-    MAKERS,
-    VERB,
-    Declared,
-    End,
-    ends_named,
-    ends_of,
-    open_ends,
-    unread_nodes,
-)
+from roslens.compare.why.declared import MAKERS, Declared, ends_named, ends_of, open_ends, unread_nodes
 from roslens.compare.why.question import Question, near_names
 from roslens.model.answers.answer import Asks, Step, StepState
 from roslens.model.graph import Role
+from roslens.model.graphs.end import KIND, VERB, End
 
 _MOST = 6
 _USERS = {Role.PUBLISHER: Role.SUBSCRIPTION, Role.SERVICE_SERVER: Role.SERVICE_CLIENT,

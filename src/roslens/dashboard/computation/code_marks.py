@@ -8,8 +8,9 @@ import msgspec
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import Book, ref_of
-from roslens.dashboard.computation.system import VERB, System
+from roslens.dashboard.computation.system import System
 from roslens.model.configuration import Proof
+from roslens.model.graphs.end import VERB
 
 
 class CodeMark(msgspec.Struct, frozen=True):

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from roslens.dashboard.computation.book import Book, ref_of
-from roslens.dashboard.computation.system import VERB, End, System
+from roslens.dashboard.computation.system import End, System
 from roslens.dashboard.tables.table import Cell, Column, Table
 from roslens.model.configuration import ConfiguredEndpoint
+from roslens.model.graphs.end import VERB
 from roslens.model.qos import Qos
 
 _LONGEST_CONDITION = 100

@@ -38,15 +38,6 @@ KIND_OF_ROLE = {
 OUTWARD = frozenset({Role.PUBLISHER, Role.SERVICE_CLIENT, Role.ACTION_CLIENT})
 """Roles from which things flow to the topic, service or action: messages and requests."""
 
-VERB = {
-    Role.PUBLISHER: "publishes",
-    Role.SUBSCRIPTION: "subscribes to",
-    Role.SERVICE_SERVER: "serves",
-    Role.SERVICE_CLIENT: "calls",
-    Role.ACTION_SERVER: "serves",
-    Role.ACTION_CLIENT: "calls",
-}
-
 
 class Element(msgspec.Struct, frozen=True):
     """A node, topic, service or action.

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from roslens.cli.completion_words import ARGUMENTS, LAUNCHES
 from roslens.cli.terminal.streams import add_stream_arguments
 from roslens.cli.watch.observers import add_observer_arguments, given
+from roslens.cli.workplace.reading_options import add_reading_arguments
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -54,9 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     vars(launch)["complete"], vars(argument)["complete"] = LAUNCHES, ARGUMENTS
     parser.add_argument("--json", action="store_true", help="write the answer as JSON")
     parser.add_argument("-o", "--output", metavar="FILE", help="write the answer to this file instead")
-    parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
-    parser.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
-    parser.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing")
+    add_reading_arguments(parser)
     add_stream_arguments(parser)
 
 

@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.graphs.end import End
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
-from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends, listed
+from roslens.source.rules.graph.ends import by_name, conditions_of, ends, listed
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding
+from roslens.model.graphs.end import End
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed, weighed_apart
-from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends
+from roslens.source.rules.graph.ends import by_name, conditions_of, ends
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, Origin
 from roslens.model.finding import Finding
+from roslens.model.graphs.end import VERB, End
 from roslens.model.source import Package
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.brought_along import brought_by, may_be_brought_by
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import WORDS, End
+from roslens.source.rules.graph.ends import order_of
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
@@ -44,7 +45,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
                 lacking.setdefault((package.id, owner), []).append(End(node, one))
     for (package_id, owner), used in sorted(lacking.items()):
         package = packages[package_id]
-        yield _told(package, owner, min(used, key=lambda end: end.order), surroundings.packages)
+        yield _told(package, owner, min(used, key=order_of), surroundings.packages)
 
 
 def _is_written(one: ConfiguredEndpoint, owner: str) -> bool:
@@ -72,7 +73,7 @@ def _told(package: Package, owner: str, end: End, packages: tuple[Package, ...])
     )
     only = f" It is available because `{along}` depends on it." if along else ""
     message = (
-        f"{end.label} {WORDS[end.role]} {end.name} as {end.type}, but {package.manifest.path} does not depend on "
+        f"{end.label} {VERB[end.role]} {end.name} as {end.type}, but {package.manifest.path} does not depend on "
         f"`{owner}`.{only} Add `<depend>{owner}</depend>`."
     )
     return occurrence(

@@ -4,106 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-import msgspec
-
-from roslens.model.configuration import (
-    Clause,
-    Configuration,
-    ConfiguredEndpoint,
-    ConfiguredNode,
-    Origin,
-    Proof,
-    Unresolved,
-)
-from roslens.model.graph import Role
+from roslens.model.configuration import Configuration, ConfiguredNode, Origin, Unresolved
+from roslens.model.graphs.end import KIND, End
 from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other
 
-KIND = {
-    Role.PUBLISHER: "topic",
-    Role.SUBSCRIPTION: "topic",
-    Role.SERVICE_SERVER: "service",
-    Role.SERVICE_CLIENT: "service",
-    Role.ACTION_SERVER: "action",
-    Role.ACTION_CLIENT: "action",
-}
-WORDS = {
-    Role.PUBLISHER: "publishes",
-    Role.SUBSCRIPTION: "subscribes to",
-    Role.SERVICE_SERVER: "serves",
-    Role.SERVICE_CLIENT: "calls",
-    Role.ACTION_SERVER: "serves",
-    Role.ACTION_CLIENT: "calls",
-}
-OTHER = {
-    Role.PUBLISHER: Role.SUBSCRIPTION,
-    Role.SUBSCRIPTION: Role.PUBLISHER,
-    Role.SERVICE_SERVER: Role.SERVICE_CLIENT,
-    Role.SERVICE_CLIENT: Role.SERVICE_SERVER,
-    Role.ACTION_SERVER: Role.ACTION_CLIENT,
-    Role.ACTION_CLIENT: Role.ACTION_SERVER,
-}
 
-
-Key = tuple[str, str, str, str, str]
-
-
-class End(msgspec.Struct, frozen=True):
-    """An endpoint and its node."""
-
-    node: ConfiguredNode
-    one: ConfiguredEndpoint
-
-    @property
-    def name(self) -> str:
-        """Name of the topic, service or action."""
-        return self.one.endpoint.name
-
-    @property
-    def role(self) -> Role:
-        """What it does."""
-        return self.one.endpoint.role
-
-    @property
-    def type(self) -> str:
-        """Of the interface; empty where unknown."""
-        return self.one.endpoint.type
-
-    @property
-    def conditions(self) -> tuple[str, ...]:
-        """What must hold for it to be there."""
-        return (*self.node.conditions, *self.one.conditions)
-
-    @property
-    def clauses(self) -> tuple[Clause, ...]:
-        """What must hold, and what must not, for it to be there."""
-        return (*self.node.clauses, *self.one.clauses)
-
-    @property
-    def entity(self) -> str:
-        """Id of the topic, service or action."""
-        return f"{KIND[self.role]}:{self.name}"
-
-    @property
-    def key(self) -> Key:
-        """What tells it from other ends."""
-        return self.node.name, self.node.proof.place, self.role.value, self.name, self.one.proof.place
-
-    @property
-    def where(self) -> Proof:
-        """What shows it in the workspace: for what is known of an installed node, the place that starts the node."""
-        is_installed = self.one.proof.origin is Origin.CATALOGUE and self.node.proof.path
-        return self.node.proof if is_installed else self.one.proof
-
-    @property
-    def label(self) -> str:
-        """The node and the place, as messages name it."""
-        place = self.where.place
-        return f"{self.node.name} ({place})" if place else self.node.name
-
-    @property
-    def order(self) -> tuple[int, str, str, str]:
-        """The clearest first, then by node and place."""
-        return doubt_of([self.one.proof], self.conditions), self.node.name, self.one.proof.place, self.name
+def order_of(end: End) -> tuple[int, str, str, str]:
+    """Return a key that sorts the clearest end first, then by node and place."""
+    return doubt_of([end.one.proof], end.conditions), end.node.name, end.one.proof.place, end.name
 
 
 def conditions_of(first: End, second: End) -> tuple[str, ...]:
@@ -155,7 +63,7 @@ def unresolved_ends(configuration: Configuration) -> list[End]:
 def by_name(all_ends: Sequence[End]) -> dict[tuple[str, str], list[End]]:
     """Return ends by kind and name, both sorted; the clearest end of each first."""
     found: dict[tuple[str, str], list[End]] = {}
-    for end in sorted(all_ends, key=lambda one: one.order):
+    for end in sorted(all_ends, key=order_of):
         found.setdefault((KIND[end.role], end.name), []).append(end)
     return dict(sorted(found.items()))
 

@@ -8,17 +8,8 @@ import msgspec
 
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin, Unresolved
 from roslens.model.graph import Role
-from roslens.source.rules.graph.ends import (
-    KIND,
-    OTHER,
-    WORDS,
-    End,
-    is_unknown,
-    listed,
-    missing_parts,
-    unknown_nodes,
-    unresolved_ends,
-)
+from roslens.model.graphs.end import KIND, OTHER, VERB, End
+from roslens.source.rules.graph.ends import is_unknown, listed, missing_parts, unknown_nodes, unresolved_ends
 from roslens.source.rules.graph.likeness import alike, distance
 
 WAITING = frozenset({Role.SUBSCRIPTION, Role.SERVICE_CLIENT, Role.ACTION_CLIENT})
@@ -161,7 +152,7 @@ def _by_owner(of_name: Sequence[End], view: View) -> Expected | None:
     owner = view.owners.get(end.name.rpartition("/")[0])
     if owner is None or end.role not in WAITING or any(one.node.name == owner.name for one in of_name):
         return None
-    verb = WORDS[OTHER[end.role]]
+    verb = VERB[OTHER[end.role]]
     own = [f"`{one}`" for one in sorted(_own(owner, OTHER[end.role]))]
     has = f"it {verb} {listed(own)}" if own else f"it {verb} none below its name"
     return Expected(

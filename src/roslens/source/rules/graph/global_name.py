@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 
 from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding
+from roslens.model.graphs.end import KIND, VERB, End
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import KIND, WORDS, End
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
@@ -52,7 +52,7 @@ def _told(end: End, *others: End) -> Finding:
     certainty, doubt = weighed(RULE.certainty, (), ())
     moved = " A remapping changes it here." if end.one.remapped is not None else ""
     message = (
-        f"{end.label} {WORDS[end.role]} the {KIND[end.role]} `{given}`, a global name{_also(others)}.{moved} "
+        f"{end.label} {VERB[end.role]} the {KIND[end.role]} `{given}`, a global name{_also(others)}.{moved} "
         f"Write `{given.lstrip('/')}` and remap or push a namespace in the launch file."
     )
     return occurrence(RULE, message, end.one.proof, entity=end.entity, certainty=certainty, context=given, doubt=doubt)

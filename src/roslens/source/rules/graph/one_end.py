@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding
+from roslens.model.graphs.end import OTHER, VERB, End
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.model.words.shortened import shortened
 from roslens.source.rules.graph.doubt import weighed, weighed_apart
-from roslens.source.rules.graph.ends import OTHER, WORDS, End, by_name, ends, is_launched, listed
+from roslens.source.rules.graph.ends import by_name, ends, is_launched, listed
 from roslens.source.rules.graph.expected_end import WAITING, Expected, View, expected, types_fit, view_of
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -94,7 +95,7 @@ def _told(
         # That the other end is expected says more than that somebody unknown might be there.
         more=_missing(view) or (_more_doubt(end, view) if why is None else why.doubt),
     )
-    said = listed([f"{one.label} {WORDS[one.role]}" for one in of_name])
+    said = listed([f"{one.label} {VERB[one.role]}" for one in of_name])
     missing = ("publisher", "subscriber") if kind == "topic" else ("server", "client")
     message = f"{said} the {kind} {name}, which has no {missing[0 if waits else 1]}."
     if why is not None:

@@ -9,9 +9,10 @@ import msgspec
 
 from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding
+from roslens.model.graphs.end import End
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import End, by_name, ends, is_launched, unknown_nodes
+from roslens.source.rules.graph.ends import by_name, ends, is_launched, unknown_nodes
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 

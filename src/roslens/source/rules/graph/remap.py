@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredRemap
 from roslens.model.finding import Finding
+from roslens.model.graphs.end import OTHER, End
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.model.words.shortened import visible
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import OTHER, End, ends, is_unknown, listed
+from roslens.source.rules.graph.ends import ends, is_unknown, listed
 from roslens.source.rules.graph.likeness import nearest_name
 from roslens.source.rules.graph.occurrence import graph_rule, ids_of, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings

@@ -7,9 +7,10 @@ from itertools import combinations, product
 
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding
+from roslens.model.graphs.end import VERB, End
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed, weighed_apart
-from roslens.source.rules.graph.ends import WORDS, End, by_name, conditions_of, ends, exclude, listed
+from roslens.source.rules.graph.ends import by_name, conditions_of, ends, exclude, listed
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings
 
@@ -90,7 +91,7 @@ def _told(
     if not surroundings.together:
         certainty, doubt = weighed_apart(doubt)
     said = "; ".join(
-        f"{listed([f'{end.label} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
+        f"{listed([f'{end.label} {VERB[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
     )
     message = (
         f"{kind} {name} has {len(ranked)} types: {said}. They are never connected. "

@@ -9,10 +9,11 @@ from roslens.model.configuration import Configuration, ConfiguredNode, Origin, P
 from roslens.model.errors import DocumentError
 from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.graphs.end import End
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.extract.parameters.parameter_file import ros2_parameters
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import End, ends
+from roslens.source.rules.graph.ends import ends
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Commanded, Surroundings
 

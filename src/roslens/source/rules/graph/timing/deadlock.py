@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
 from roslens.model.finding import Finding
 from roslens.model.graph import Role
+from roslens.model.graphs.end import End
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import End
 from roslens.source.rules.graph.occurrence import graph_rule, occurrence
 from roslens.source.rules.graph.surroundings import Surroundings, Wait
 

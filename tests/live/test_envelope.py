@@ -16,6 +16,7 @@ from roslens.live.window.plausible_tally import plausible_tally
 from roslens.live.window.round import Round
 from roslens.model.traffic.tally import Moments, Observer, Tally
 from roslens.model.traffic.tally_columns import row_of
+from roslens.model.verdict import State
 from roslens.model.wire import VERSION, Frame, decode_frame, encode_frame
 
 QUANTITIES = {
@@ -135,6 +136,51 @@ def test_unruly_traffic_is_told_of_the_same(seed, monkeypatch):
         for observer in observers
     ]
     assert_same(*both(streams, monkeypatch))
+
+
+def of_tap(steps):
+    """Return traffic as a tap sees it that takes all but what is lost."""
+    for end, tally in traffic(steps, "/p"):
+        yield end, msgspec.structs.replace(tally, observer=Observer.TAP)
+
+
+def rules_for_a_tap(**ranges):
+    """Return constraints on a topic; of what a tap loses itself no loss is known, so that one on it never rests."""
+    return reference(
+        {
+            "expect": [
+                {"id": key, "name": "/a", "quantity": key, "range": one, "grace": 0.5} for key, one in ranges.items()
+            ]
+        }
+    )
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_of_what_a_tap_sees_the_same_is_said(seed, monkeypatch):
+    monkeypatch.setitem(globals(), "RULES", rules_for_a_tap(rate="15..30", largest_gap="<= 0.2"))
+    assert_same(*both([list(reported(Random(seed), "/p", Observer.TAP, 7.0))], monkeypatch))
+
+
+@pytest.mark.parametrize(
+    ("key", "range_", "state"),
+    [("rate", "15..30", State.HIGH), ("largest_gap", "<= 0.12", State.UNKNOWN), ("jitter", "<= 0.03", State.UNKNOWN)],
+)
+def test_a_tap_that_loses_messages_is_looked_at(key, range_, state, monkeypatch):
+    """What it misses was sent: 20 Hz of which as many are lost are 40 Hz, and its gaps are its own."""
+    monkeypatch.setitem(globals(), "RULES", rules_for_a_tap(**{key: range_}))
+    known, everything = both([list(of_tap([(20.0, 100, 0.01, 0)] * 5 + [(20.0, 100, 0.01, 4)] * 3))], monkeypatch)
+    assert_same(known, everything)
+    assert known[2] > 0
+    assert [one[3] for one in known[0]][:2] == [State.OK, state]
+
+
+def test_a_tap_whose_messages_grow_large_is_looked_at(monkeypatch):
+    """Then it may lose whole ones, and a silence of a second shows nothing."""
+    monkeypatch.setitem(globals(), "RULES", rules_for_a_tap(largest_gap="<= 0.12"))
+    known, everything = both([list(of_tap([(20.0, 100, 0.01, 0)] * 5 + [(20.0, 100_000, 0.01, 0)] * 3))], monkeypatch)
+    assert_same(known, everything)
+    assert known[2] > 0
+    assert [one[3] for one in known[0]] == [State.OK, State.UNKNOWN]
 
 
 def test_what_came_before_its_publisher_was_known_keeps_nothing_from_resting(monkeypatch):

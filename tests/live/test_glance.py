@@ -120,6 +120,11 @@ def test_a_clock_before_its_beginning_makes_no_silence():
     assert held(1699)
 
 
+def test_a_tap_that_loses_messages_is_judged_without_a_look():
+    """Here a look found what no tick had: a tap had lost a message, and its connection rested on."""
+    assert held(1562)
+
+
 def test_everything_has_its_turn_within_a_round():
     watched = Watched()
     events = history(Random(3))

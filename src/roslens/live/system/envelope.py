@@ -13,10 +13,12 @@ from math import inf, sqrt
 
 from roslens.live.standing.measured import Group
 from roslens.live.window.bucket import Bucket, Series
+from roslens.live.window.own_gaps import LARGE_BYTES
 from roslens.live.window.round import Round
 from roslens.live.window.signals import RECEIVED, SUMMED
 from roslens.live.window.traffic import bandwidth, message_size, period, rate
 from roslens.live.window.window import EPSILON_S, Window
+from roslens.model.traffic.tally import Observer
 from roslens.model.traffic.tally_columns import Row
 
 _BEFORE = -EPSILON_S
@@ -37,6 +39,7 @@ class Envelope:
         centre: the period from which distances are taken.
         scatter: the greatest mean square of these.
         loss: least and greatest share, in percent.
+        most_lost: messages. What a tap loses itself raises the rate, and leaves gaps and jitter unknown.
         latency: least and greatest mean, and greatest value; None where it has no bounds.
         age: those of it.
         processing: those of it.
@@ -45,7 +48,8 @@ class Envelope:
     """
 
     __slots__ = (
-        "age", "centre", "fast", "gap", "latency", "loss", "processing", "round", "scatter", "size", "slow", "windows",
+        "age", "centre", "fast", "gap", "latency", "loss", "most_lost", "processing", "round", "scatter", "size",
+        "slow", "windows",
     )  # fmt: skip
 
     def __init__(self, windows: list[Window]) -> None:
@@ -58,6 +62,7 @@ class Envelope:
         self.latency: _Bounds | None = None
         self.age: _Bounds | None = None
         self.processing: _Bounds | None = None
+        self.most_lost = 0 if windows[0].observer is Observer.TAP else inf
         self.windows = windows
         self.round: Round | None = None
 
@@ -81,7 +86,7 @@ class Envelope:
             and squares - centre * (span + span - centre * count) <= self.scatter * count
             and size >= -1
             and self.size[0] * count <= size <= self.size[1] * count
-            and lost >= -1
+            and -1 <= lost <= self.most_lost
             and start - 1 <= first <= last <= end + 1
             and observer is window.observer
         ):
@@ -122,7 +127,7 @@ class Envelope:
             return False
         span, gap = bucket.span, bucket.gap
         quiet = bucket.end - bucket.last
-        if gap > self.gap or quiet > self.gap or intervals > self.fast * span:
+        if gap > self.gap or quiet > self.gap or intervals > self.fast * span or bucket.lost > self.most_lost:
             return False
         if intervals < self.slow * (span + quiet - gap if quiet > gap else span):
             return False
@@ -164,6 +169,9 @@ class Envelope:
             self._narrow_size(low, high)
         elif key == "largest_gap":
             self.gap = min(self.gap, high)
+            if not self.most_lost:
+                # Larger messages raise the silence that a tap may have made itself.
+                self.size = self.size[0], min(self.size[1], LARGE_BYTES)
             return low <= 0
         elif key == "jitter":
             self.centre = period(window) or 0.0

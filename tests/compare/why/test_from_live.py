@@ -69,8 +69,9 @@ def test_a_maker_that_ended_says_how_and_its_last_words():
 def test_a_maker_in_another_domain_is_named_with_both_domains():
     process = RosProcess(42, "/opt/lib/drivers/lidar_node", 1000, domain="5")
     found = cause(observed(subscription(), processes=(process,)), source())
-    assert "(process 42) runs, but apart from what was looked at: ROS_DOMAIN_ID is 5, looked at is 0" in found.says
-    assert found.command == "roslens watch --domain 5 --for 10s"
+    assert "/lidar runs apart from what was looked at: ROS_DOMAIN_ID is 5, looked at is 0" in found.says
+    assert "(process 42)" in found.evidence[0]
+    assert found.command == "roslens why /scan --live --domain 5"
 
 
 @pytest.mark.parametrize(
@@ -130,3 +131,35 @@ def test_a_node_that_does_not_run_has_the_nearest_names():
     found = cause(live, None, Question("node", "/lidar_fron"))
     assert (found.asks, found.how) == (Asks.EXISTS, "nearest names that are there: /lidar_front")
     assert cause(live, None, Question("node", "/lidar_front")) is None
+
+
+def test_a_maker_that_runs_under_another_remapping_is_named_with_what_it_makes():
+    other = Endpoint("/lidar", Role.PUBLISHER, "/laser_7/points", "sensor_msgs/msg/LaserScan")
+    found = cause(observed(subscription(), other), source())
+    assert found.says.endswith("/lidar, which should make it, publishes /laser_7/points instead")
+    assert "lidar.cpp:7" in found.evidence[0]
+    assert found.evidence[1] == "started at robot.launch.py:3"
+
+
+def test_a_near_name_of_the_same_type_that_nobody_uses_is_named_without_source():
+    typo = Endpoint("/lidar", Role.PUBLISHER, "/sacn", "sensor_msgs/msg/LaserScan")
+    found = cause(observed(subscription(), typo))
+    assert (found.says, found.how) == (
+        "no node that is seen publishes it: /lidar publishes /sacn, which nobody else uses",
+        "correct or remap one of the two names: /sacn and /scan",
+    )
+    used = Endpoint("/viewer", Role.SUBSCRIPTION, "/sacn", "sensor_msgs/msg/LaserScan")
+    assert "/sacn, which nobody" not in cause(observed(subscription(), typo, used)).says
+    text = Endpoint("/lidar", Role.PUBLISHER, "/sacn", "std_msgs/msg/String")
+    assert "/sacn, which nobody" not in cause(observed(subscription(), text)).says
+
+
+def test_a_node_on_simulated_time_without_a_clock_is_the_cause():
+    clock = Endpoint("/lidar", Role.SUBSCRIPTION, "/clock", "rosgraph_msgs/msg/Clock")
+    found = cause(observed(publisher(), subscription(), clock))
+    assert found.says == "/lidar waits for simulated time, and nobody publishes /clock"
+    assert found.command == "ros2 param set /lidar use_sim_time false"
+    told = Endpoint("/gazebo", Role.PUBLISHER, "/clock", "rosgraph_msgs/msg/Clock")
+    assert cause(observed(publisher(), subscription(), clock, told)) is None
+    of_another = Endpoint("/viewer", Role.SUBSCRIPTION, "/clock", "rosgraph_msgs/msg/Clock")
+    assert cause(observed(publisher(), subscription(), of_another)) is None

@@ -21,6 +21,7 @@ def test_a_process_with_ros_is_found_with_what_decides_whom_it_meets(tmp_path):
     folder = process(tmp_path, 12, maps=ros, environ=environ)
     process(tmp_path, 13, maps=b"7f00-7f01 r-xp 0 08:01 5 /usr/lib/libc.so.6\n")
     process(tmp_path, 14, maps=ros)
+    process(tmp_path, 16, maps=ros, command=b"python3\0-c\0from roslens.live.adapters.ros2.__main__ import main\0")
     (tmp_path / "self").mkdir()
     (tmp_path / "15").mkdir()  # it ended
     found = ros_environments(tmp_path, frozenset({14}))

@@ -36,6 +36,11 @@ class Stretch:
         return self._steady() - self._begun >= self._seconds
 
     @property
+    def seen(self) -> float:
+        """Seconds since the first observation; 0 where there was none."""
+        return 0.0 if self._begun is None else self._steady() - self._begun
+
+    @property
     def passed(self) -> float:
         """Seconds since it started, whoever saw something or not."""
         return self._steady() - self._started

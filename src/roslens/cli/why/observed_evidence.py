@@ -1,4 +1,4 @@
-"""What a running system says for an answer: observed for a few seconds, as `roslens watch` does, and then no more."""
+"""What a running system says for an answer: observed until nothing new comes, as `roslens watch` does, then no more."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import contextlib
 import os
 import sys
 import time
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from roslens.compare.why.apart import DISCOVERY, DOMAIN, RMW
@@ -14,59 +15,94 @@ from roslens.compare.why.observed import Ended, Observed
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from roslens.live.join.session import Session, Step
+    from roslens.live.join.session import Session, Source, Step
     from roslens.model.graph import Event
 
 LOOK_S = 4.0
-"""How long it is looked by default, from when the observers see; in seconds."""
+"""How long it is looked at most by default, from when the observers see; in seconds."""
 
 
-def observed_evidence(options: argparse.Namespace) -> Observed:
-    """Return what runs here.
+class Looking:
+    """Observers that start to see what runs while something else is done; a context manager, which ends them."""
 
-    Raises:
-        UsageError: no ROS is found that was asked for.
-    """
-    from roslens.cli.terminal.until_stopped import when_stopped
-    from roslens.cli.watch.stretch import Stretch
-    from roslens.cli.watch.watch_live import length_of, sources_of
-    from roslens.judge.reference.expectation import Reference
-    from roslens.live.agent.ros_environments import ros_environments
-    from roslens.live.join.session import Session, run
+    def __init__(self, options: argparse.Namespace) -> None:
+        """Start the observers that options ask for.
 
-    length = length_of(options.length, "--for") if options.length else LOOK_S
-    session = Session(Reference("nothing"), start=time.time())
-    events: list[Event] = []
-    last = time.time()
+        Raises:
+            UsageError: no ROS is found that was asked for.
+        """
+        from roslens.cli.watch.watch_live import length_of, sources_of
+        from roslens.live.agent.ros_environments import ros_environments
+        from roslens.live.observe.child_source import ChildSource
 
-    def report(step: Step) -> None:
-        nonlocal last
-        last = step.time
-        events.extend(step.events)
+        self._options = options
+        self._exact = bool(options.length or options.tap)
+        self._length = length_of(options.length, "--for") if options.length else LOOK_S
+        self._before = ros_environments()
+        self._sources: Sequence[Source] = sources_of(options)
+        for one in self._sources:
+            if isinstance(one, ChildSource):
+                one.begin()
 
-    with contextlib.ExitStack() as stack:
-        stretch = Stretch(session, length, when_stopped(stack))
-        if not options.quiet:
-            print(f"roslens: looking at what runs for {length:g} s", file=sys.stderr)
-        sources = sources_of(options)
-        before = ros_environments()
-        run(session, sources, wall=time.time, stopped=stretch.over, report=report)
-    graph = session.graph()
-    failures = tuple(str(one) for one in session.monitor.failures)
-    if not graph.nodes and not graph.endpoints and not before.processes:
-        raise UsageError(
-            f"no node runs here that could be seen in {stretch.passed:.0f} s{_because(failures)}",
-            expected="a ROS system",
-            advice="Set $ROS_DOMAIN_ID or $ROS_MASTER_URI as the robot has it, or give --for a longer time",
-        )
-    values = {str(entity): found for entity, found in session.readings(last)}
-    here = {name: os.environ.get(name, "") for name in (DOMAIN, RMW, DISCOVERY)}
-    if options.domain is not None:
-        here[DOMAIN] = str(options.domain)
-    return Observed(
-        f"what runs here{_domain(graph.generation, here)}", graph, values, length, tuple(_ended(events, session)),
-        failures, before.processes, before.unreadable, here,
-    )  # fmt: skip
+    def __enter__(self) -> Looking:
+        """Return itself."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """End the observers that were not ended yet."""
+        for one in self._sources:
+            one.close()
+
+    def observed(self) -> Observed:
+        """Return what runs here.
+
+        Raises:
+            UsageError: nothing of ROS runs here.
+        """
+        from roslens.cli.terminal.until_stopped import when_stopped
+        from roslens.cli.watch.stretch import Stretch
+        from roslens.cli.why.settled import Settled
+        from roslens.judge.reference.expectation import Reference
+        from roslens.live.join.session import Session, run
+
+        session = Session(Reference("nothing"), start=time.time())
+        # They are closed by whoever runs them.
+        sources, self._sources = self._sources, []
+        settled = Settled(session, self._options.entity.rpartition(":")[2])
+        events: list[Event] = []
+        last = time.time()
+
+        def report(step: Step) -> None:
+            nonlocal last
+            last = step.time
+            events.extend(step.events)
+            settled.take(step.graph)
+
+        def over(now: float) -> bool:
+            return stretch.over() or (not self._exact and settled.over(now))
+
+        with contextlib.ExitStack() as stack:
+            stretch = Stretch(session, self._length, when_stopped(stack))
+            if not self._options.quiet:
+                most = "" if self._exact else " at most"
+                print(f"roslens: looking at what runs, for {self._length:g} s{most}", file=sys.stderr)
+            run(session, sources, wall=time.time, stopped=over, report=report)
+        graph = session.graph()
+        failures = tuple(str(one) for one in session.monitor.failures)
+        if not graph.nodes and not graph.endpoints and not self._before.processes:
+            raise UsageError(
+                f"no node runs here that could be seen in {stretch.passed:.0f} s{_because(failures)}",
+                expected="a ROS system",
+                advice="Set $ROS_DOMAIN_ID or $ROS_MASTER_URI as the robot has it, or give --for a longer time",
+            )
+        values = {str(entity): found for entity, found in session.readings(last)}
+        here = {name: os.environ.get(name, "") for name in (DOMAIN, RMW, DISCOVERY)}
+        if self._options.domain is not None:
+            here[DOMAIN] = str(self._options.domain)
+        return Observed(
+            f"what runs here{_domain(graph.generation, here)}", graph, values, stretch.seen,
+            tuple(_ended(events, session)), failures, self._before.processes, self._before.unreadable, here,
+        )  # fmt: skip
 
 
 def _because(failures: tuple[str, ...]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from roslens.compare.why.observed import Observed
 from roslens.model.answers.answer import Asks, Step, StepState
@@ -25,23 +25,25 @@ def differences(process: RosProcess, observed: Observed) -> list[str]:
     return found
 
 
-def reached(observed: Observed, programs: Sequence[str]) -> Step | None:
+def reached(observed: Observed, programs: Mapping[str, str], asked: str) -> Step | None:
     """Return whether programs of ROS 2 run here that cannot be met; None of ROS 1, or where none could be looked into.
 
     Args:
         observed: the running system.
-        programs: names that the command line of a wanted node has, such as its executable; where one of these runs
-            apart, it is a cause, and any other program that does is told only.
+        programs: what the command line of a wanted node has in it, such as its executable, each with the node; where
+            one of these runs apart, it is a cause, and any other program that does is told only.
+        asked: the name that is asked about.
     """
     if observed.graph.generation == "ros1" or not (observed.processes or observed.unreadable):
         return None
     apart = [(one, words) for one in observed.processes if (words := differences(one, observed))]
-    wanted = [(one, words) for one, words in apart if any(_names(one, name) for name in programs)]
+    wanted = [(one, words) for one, words in apart if _node(one, programs)]
     if wanted:
         one, words = wanted[0]
-        says = f"{one.command} (process {one.pid}) runs, but apart from what was looked at: {words[0]}"
+        says = f"{_node(one, programs)} runs apart from what was looked at: {words[0]}"
         how = "start both sides with the same value, or look there"
-        other = f"roslens watch --domain {one.domain or 0} --for 10s"
+        is_domain = words[0].startswith(DOMAIN)
+        other = f"roslens why {asked} --live --domain {one.domain or 0}" if is_domain else ""
         return Step(Asks.REACHED, StepState.NOT, says, "live", tuple(_lines(wanted)), how, other)
     if apart:
         says = f"{len(apart)} program{'s' * (len(apart) > 1)} of ROS 2 on this host cannot meet what was looked at"
@@ -61,8 +63,9 @@ def reached(observed: Observed, programs: Sequence[str]) -> Step | None:
                 "live")  # fmt: skip
 
 
-def _names(process: RosProcess, name: str) -> bool:
-    return bool(name) and name in process.command
+def _node(process: RosProcess, programs: Mapping[str, str]) -> str:
+    """Return the wanted node that a process is by its command line; empty where it is none of them."""
+    return next((node for word, node in programs.items() if word in process.command), "")
 
 
 def _lines(apart: Sequence[tuple[RosProcess, list[str]]]) -> Iterator[str]:

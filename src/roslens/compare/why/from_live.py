@@ -7,8 +7,10 @@ from collections.abc import Iterator, Sequence
 from roslens.compare.why.apart import reached
 from roslens.compare.why.declared import MAKERS, Declared, ends_named
 from roslens.compare.why.fit import Placed, qos_fit, type_fit
+from roslens.compare.why.instead import made_instead, made_nearly
 from roslens.compare.why.observed import Observed
 from roslens.compare.why.question import Question, near_names
+from roslens.compare.why.simulated_clock import clock_missing
 from roslens.model.answers.answer import Asks, Step, StepState
 from roslens.model.configuration import ConfiguredNode
 from roslens.model.graph import Endpoint, Node, Role
@@ -43,8 +45,10 @@ def _of_ends(question: Question, observed: Observed, declared: Declared | None) 
         names = ", ".join(dict.fromkeys(one.node for one in users[:_MOST]))
         yield Step(Asks.USED, StepState.OK, f"{names} {VERB[users[0].role]} it", "live")
     runs, missing = _runs([one.node for one in makers], wanted, observed)
-    apart = reached(observed, _programs(missing))
-    yield _makers(question, makers, observed, [*((apart,) if apart else ()), *runs])
+    apart = reached(observed, _programs(missing), question.name)
+    instead = made_instead(question, wanted, observed)
+    nearly = made_nearly(question, users, observed)
+    yield _makers(question, makers, observed, [one for one in (apart, instead, *runs, nearly) if one is not None])
     yield from runs
     if apart is not None:
         yield apart
@@ -54,9 +58,11 @@ def _of_ends(question: Question, observed: Observed, declared: Declared | None) 
         yield from _traffic(question, observed, has_makers=bool(makers))
 
 
-def _programs(nodes: Sequence[ConfiguredNode]) -> list[str]:
+def _programs(nodes: Sequence[ConfiguredNode]) -> dict[str, str]:
     """Return what command lines of nodes have in them: the executable, and the name that is given at the start."""
-    return [name for one in nodes for name in (one.executable, f"__node:={one.name.rpartition('/')[2]}") if name]
+    return {
+        word: one.name for one in nodes for word in (one.executable, f"__node:={one.name.rpartition('/')[2]}") if word
+    }
 
 
 def _wanted(question: Question, declared: Declared | None) -> list[ConfiguredNode]:
@@ -134,6 +140,8 @@ def _runs(
     there = [nodes[name] for name in dict.fromkeys((*makers, *(one.name for one in wanted))) if name in nodes]
     for node in there:
         steps += _state_of(node)
+    if (clock := clock_missing({one.name for one in there}, observed)) is not None:
+        steps.append(clock)
     if there and not any(one.state is StepState.NOT for one in steps):
         names = ", ".join(one.name for one in there[:_MOST])
         steps.append(Step(Asks.RUNS, StepState.OK, f"{names} run{'s' * (len(there) == 1)}", "live"))
@@ -188,6 +196,6 @@ def _of_node(question: Question, observed: Observed, declared: Declared | None) 
         yield Step(Asks.EXISTS, StepState.NOT, "no node of this name runs", "live", how=how)
     runs, missing = _runs([question.name] if node is not None else [], wanted, observed)
     yield from runs
-    apart = reached(observed, _programs(missing))
+    apart = reached(observed, _programs(missing), f"node:{question.name}")
     if apart is not None:
         yield apart

@@ -12,6 +12,8 @@ import msgspec
 from roslens.model.answers.ros_process import RosProcess
 
 _LIBRARY = b"/librcl.so"
+_OBSERVER = b"roslens.live.adapters."
+"""What the command line of an observer of roslens has: it makes nothing that anybody waits for."""
 _MOST_BYTES = 1 << 20
 _LONGEST_COMMAND = 120
 
@@ -36,7 +38,7 @@ def ros_environments(proc: Path = Path("/proc"), without: frozenset[int] = froze
         if pid in without:
             continue
         try:
-            if _LIBRARY not in _head(folder / "maps"):
+            if _LIBRARY not in _head(folder / "maps") or _OBSERVER in _head(folder / "cmdline"):
                 continue
             process = _process(folder, pid)
         except PermissionError:

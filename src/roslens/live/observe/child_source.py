@@ -45,13 +45,20 @@ class ChildSource:
         self.tool = tool
         self.seeing = False
         self._child = child
+        self._early: list[Frame | Failure] = []
         self._steady = steady
+
+    def begin(self) -> None:
+        """Start the process now instead of with the first poll, which then has what it reported meanwhile."""
+        if not self._child.starts:
+            self._early = self._child.poll(self._steady())
 
     def poll(self, seconds: float) -> list[Frame | Failure]:
         """Wait at most so long for the next frame, and return what came."""
         file = self._child.fileno()
         select.select([file] if file is not None else [], [], [], seconds)
-        came = self._child.poll(self._steady())
+        came = self._early + self._child.poll(self._steady())
+        self._early = []
         self.seeing = self.seeing or any(map(_of_who_is_there, came))
         return came
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,8 +14,8 @@ from roslens.cli.workplace.reading_options import add_reading_arguments
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
+    from roslens.cli.why.observed_evidence import Looking
     from roslens.compare.why.declared import Declared
-    from roslens.compare.why.observed import Observed
     from roslens.compare.why.recorded import Recorded
     from roslens.model.configuration import Configuration
 
@@ -25,7 +26,7 @@ EXAMPLES = """\
   roslens why /scan --bag drive.mcap         joined with what a recording has
   roslens why /planner --bag drive.bag --no-source
   roslens why 'map->base_link' --bag drive.mcap     can it be looked up, and if not, why; frame:base_link: one frame
-  roslens why /scan --live                   joined with what runs here, looked at for 4 s; --ros1, --ros2 as of watch
+  roslens why /scan --live                   joined with what runs here; --ros1, --ros2 as of watch
   roslens why service:/set_mission --json    kinds: topic, service, action, node, frame
 
 exit codes: as everywhere; 1 where a cause was found"""
@@ -41,7 +42,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording (ROS 1 bag, MCAP, SQLite)")
     parser.add_argument("--live", action="store_true", help="look at what runs here (so do --ros1 and --ros2)")
-    parser.add_argument("--for", dest="length", metavar="TIME", help="look at what runs for this time (default: 4s)")
+    parser.add_argument(
+        "--for",
+        dest="length",
+        metavar="TIME",
+        help="look at what runs for this time (default: until nothing new comes)",
+    )
     add_observer_arguments(parser.add_argument_group("of what runs"))
     parser.add_argument("--no-source", action="store_true", help="look at no source")
     launch = parser.add_argument(
@@ -75,9 +81,11 @@ def run(options: argparse.Namespace) -> int:
 
     if options.no_source and options.launch:
         raise UsageError("--launch with --no-source", expected="one of them")
-    recorded = _recorded(options)
-    observed = _observed(options)
-    declared = _declared(options, alone=recorded is None and observed is None)
+    with _looking(options) as looking:
+        # Observers take a second to start, in which the rest is read.
+        recorded = _recorded(options)
+        declared = _declared(options, alone=recorded is None and looking is None)
+        observed = looking.observed() if looking is not None else None
     question = question_of(options.entity, known_to(declared, recorded, observed))
     found = answer(question, declared, recorded, observed)
     text = to_answer_json(found) if options.json else to_answer_text(found, width_of(sys.stdout))
@@ -94,14 +102,14 @@ def _recorded(options: argparse.Namespace) -> Recorded | None:
     return recorded_evidence(options, frames_of(options.entity))
 
 
-def _observed(options: argparse.Namespace) -> Observed | None:
+def _looking(options: argparse.Namespace) -> contextlib.AbstractContextManager[Looking | None]:
     if not (options.live or options.ros1 or options.ros2):
         if given_of_observers := given(options) or ("--for" if options.length else ""):
             raise UsageError(f"{given_of_observers} without --live", expected="both")
-        return None
-    from roslens.cli.why.observed_evidence import observed_evidence
+        return contextlib.nullcontext()
+    from roslens.cli.why.observed_evidence import Looking
 
-    return observed_evidence(options)
+    return Looking(options)
 
 
 def _declared(options: argparse.Namespace, *, alone: bool) -> Declared | None:

@@ -1,0 +1,1 @@
+"""Three nodes: a laser scanner, odometry and a planner."""

@@ -67,8 +67,8 @@ def test_ten_rows_that_count():
 
 
 def test_no_two_of_one_rule_stand_beside_each_other_and_a_rule_has_three_rows_at_most():
-    many = [weighed("a", Consequence.WRONG, line=line, path="a.cpp") for line in range(1, 9)]
-    few = [weighed("b", Consequence.MAY_BE_WRONG, line=line, path="b.cpp") for line in range(1, 3)]
+    many = [weighed("a", Consequence.WRONG, line=line, path=f"a{line}.cpp") for line in range(1, 9)]
+    few = [weighed("b", Consequence.MAY_BE_WRONG, line=line, path=f"b{line}.cpp") for line in range(1, 3)]
     assert chosen(*many, *few) == ["a", "b", "a", "b", "a"]
     assert chosen(*many) == ["a", "a", "a"]
 
@@ -120,6 +120,19 @@ def test_what_is_said_alike_of_several_places_is_one_row_that_counts_them():
     assert shown(Consequence.MAY_BE_WRONG) == [("a", 0), ("b", 0), ("c", 0)]
 
 
+def test_what_one_file_has_several_times_but_for_names_is_one_row():
+    def undefined(path, name, line, more=""):
+        text = f"{path}:{line}: `{name}` is not defined: a NameError where it is read{more}; expected its import"
+        return RuleCount("python.name", Severity.WARNING, 1, 1, text, path=path, line=line)
+
+    rows = [
+        undefined("a.py", "left", 3),
+        undefined("a.py", "right", 5, ", here and 3 times more"),
+        undefined("b.py", "left", 3),
+    ]
+    assert [(one.path, one.alike) for one in first_to_fix([package(*rows)], (), {}, ALL)] == [("a.py", 1), ("b.py", 0)]
+
+
 def test_names_that_a_distribution_took_from_one_package_are_one_row():
     def row(rule, path, name, tag):
         message = f"{path}:7: plug-in `{name}` is removed in Humble"
@@ -142,13 +155,13 @@ def test_names_that_a_distribution_took_from_one_package_are_one_row():
 
 
 def test_each_grave_finding_takes_part_and_not_the_example_of_its_rule_alone():
-    def grave(line):
+    def grave(line, path="a.cpp"):
         return Finding(
-            "node.a", Severity.WARNING, "m", "a.cpp", line, consequence=Consequence.WRONG, certainty=Certainty.LIKELY
+            "node.a", Severity.WARNING, "m", path, line, consequence=Consequence.WRONG, certainty=Certainty.LIKELY
         )
 
     summary = package(weighed("node.a", Consequence.WRONG, line=1, path="a.cpp"), count("cpp.a"))
-    rows = first_to_fix([summary], (), {}, ALL, grave=[grave(1), grave(7)])
+    rows = first_to_fix([summary], (), {}, ALL, grave=[grave(1), grave(7, "b.cpp")])
     assert [(one.rule, one.line) for one in rows] == [("node.a", 1), ("cpp.a", 0), ("node.a", 7)]
 
 

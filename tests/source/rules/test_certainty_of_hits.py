@@ -50,6 +50,13 @@ class Turtle(Node):
 """
 OLD_NODE = "from launch_ros.actions import Node\nnode = Node(package='arm', {0}='arm', executable='arm')\n"
 FORMAT = "#include <string>\n{0}\nvoid f(const std::string& given) {{ {1} printf({2}.c_str()); {3} }}\n"
+SEQUENCE = """import time, rclpy
+class Arm(Node):
+    def __init__(self):
+        self.sub = self.create_subscription(Goal, "goal", self.on_goal, 10)
+    def on_goal(self, goal):
+        {0}
+"""
 RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
 
 
@@ -117,6 +124,13 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
         ("node.system_time", Language.CPP, CLOCK.format("const auto start_timestamp"), Certainty.HEURISTIC),
         ("node.rate_in_loop_python", Language.PYTHON, RATE.format("rospy.Rate"), Certainty.HEURISTIC),
         ("node.rate_in_loop_python", Language.PYTHON, RATE.format("node.create_rate"), None),
+        ("node.sleep_in_callback_python", Language.PYTHON, SEQUENCE.format("time.sleep(2)"), None),
+        (
+            "node.sleep_in_callback_python",
+            Language.PYTHON,
+            SEQUENCE.format("; ".join(f"self.joint({number}); time.sleep(2)" for number in range(4))),
+            Certainty.HEURISTIC,
+        ),
         ("node.sleep_in_callback_python", Language.PYTHON, ACTION.format("self.move"), Certainty.HEURISTIC),
         (
             "node.sleep_in_callback_python",
@@ -217,4 +231,4 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
 )
 def test_it_is_a_note(rule, language, text, certainty):
     matched = match_file(parse_file(text.encode(), language, MacroSettings()).view(), frozenset({rule}))
-    assert [(one.rule, one.certainty) for one in matched.hits] == [(rule, certainty)]
+    assert {(one.rule, one.certainty) for one in matched.hits} == {(rule, certainty)}

@@ -52,7 +52,7 @@ def fix_first_lines(
         rule = f"new: {one.rule}" if number <= new else one.rule
         facts = [weight_of(one.weight, rules.get(one.rule)), " and ".join((rule, *one.also))]
         if one.alike:
-            facts.append(f"the same in {plural(one.alike, 'other place')}")
+            facts.append(f"the like in {plural(one.alike, 'other place')}")
         if commits := changes.get(one.path):
             facts.append(f"{plural(commits, 'commit')} to the file in a year")
         yield from _facts(terminal, facts)

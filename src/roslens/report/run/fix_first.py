@@ -31,6 +31,8 @@ FURTHEST = 16.0
 _OF_PACKAGE = re.compile(r"`([\w-]+)")
 """A name, up to what parts it from that of its package."""
 _FOLDERS = re.compile(r"(?:[\w.+-]+/)+")
+_DIFFERENT = re.compile(r"`[^`]*`|'[^']*'|\b\d+\b|, here and \d+ times more|; expected .*", re.DOTALL)
+"""What differs between messages of one kind: names, code, numbers, and the advice."""
 
 Gravity = tuple[int, int, int, int]
 Urgency = tuple[int, int, int, int, int, float, int, str, str]
@@ -184,13 +186,16 @@ def _said(one: RuleCount) -> Iterator[tuple[str, ...]]:
     For the same file in a copy of its folder it is the file with the two folders around it, and the message without
     others; where it is no more than hard to maintain, the message alone: that ten packages have no licence is one
     decision, and each of ten mistakes at run time is one. So is a name that is gone wherever it is used, and with it
-    the others that a distribution took from the same package: they are moved in one go.
+    the others that a distribution took from the same package: they are moved in one go. What one file has several
+    times, but for names, is looked at in one go too.
     """
     message = one.example.removeprefix(one.path).lstrip(":0123456789 ") if one.path else one.example
     if one.weight[0].rank <= Consequence.HARD_TO_MAINTAIN.rank or DEPRECATED in one.tags:
         yield one.rule, message
     if DISTRIBUTION in one.tags and (name := _OF_PACKAGE.search(message)):
         yield one.rule, name[1]
+    if one.path:
+        yield one.rule, one.path, _DIFFERENT.sub("", message)
     *_, outer, inner, file = ("", "", "", *one.path.split("/"))
     if outer:
         yield one.rule, outer, inner, file, _FOLDERS.sub("", message)

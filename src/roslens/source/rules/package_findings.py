@@ -17,6 +17,7 @@ from roslens.source.rules.by_package.caught_type import as_notes_of_caught_types
 from roslens.source.rules.by_package.device_driver import as_notes_in_drivers
 from roslens.source.rules.by_package.earlier_distribution import as_notes_for_earlier_distribution
 from roslens.source.rules.by_package.for_target import as_the_target_has
+from roslens.source.rules.by_package.launched_elsewhere import as_notes_where_launched_elsewhere
 from roslens.source.rules.by_package.left_behind import as_notes_where_left_behind
 from roslens.source.rules.by_package.named_by_launch import as_notes_where_launch_names
 from roslens.source.rules.by_package.nested_package import as_notes_in_nested_package
@@ -24,6 +25,7 @@ from roslens.source.rules.by_package.older_standard import as_notes_with_older_s
 from roslens.source.rules.by_package.python2_package import as_notes_without_python3
 from roslens.source.rules.by_package.unbuilt_source import as_notes_of_unbuilt_sources
 from roslens.source.rules.by_package.uncalled_function import as_notes_where_uncalled
+from roslens.source.rules.by_package.unstarted_file import as_notes_where_nothing_starts
 from roslens.source.rules.by_package.unused_script import as_notes_of_unused_scripts
 from roslens.source.rules.by_package.used_once import as_notes_where_used_once
 from roslens.source.rules.edits.placed_edits import with_placed_edits
@@ -111,6 +113,8 @@ _WEIGHED: tuple[Callable[[Placed, PackageView], Placed], ...] = (
     as_notes_in_drivers,
     as_notes_where_launch_names,
     as_notes_where_uncalled,
+    as_notes_where_launched_elsewhere,
+    as_notes_where_nothing_starts,
 )
 """What makes notes of hits for what the package is, in this order."""
 

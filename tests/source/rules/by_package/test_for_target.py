@@ -49,6 +49,15 @@ def test_what_the_guessed_target_has_not_is_a_warning(findings):
     assert one.message.endswith("this package is built for Jazzy, as Dockerfile says")
 
 
+def test_what_the_rule_doubts_itself_is_a_note_whatever_the_target(tmp_path, package_view):
+    (tmp_path / "package.xml").write_text(MANIFEST.format("nav2_bringup"))
+    text = "recoveries_server:\n  ros__parameters:\n    spin:\n      plugin: nav2_behaviors/Spin\n"
+    (tmp_path / "nav.yaml").write_text(text)
+    settings = RuleSettings(profiles=(), enable=("distribution.plugin_gone",))
+    (one,) = rule_findings(package_view(tmp_path, distro="jazzy"), settings, {}, (), (), [])
+    assert one.severity.value == "note"
+
+
 def test_what_the_target_deprecates_is_a_note(findings):
     assert severities(findings(distro="iron")) == ["note"]
 

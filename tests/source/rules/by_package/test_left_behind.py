@@ -44,6 +44,7 @@ def test_the_name_of_a_folder_says_so(path, is_note):
         ("p/launch/rsp_original.launch.py", {"rsp_original.launch.py", "rsp.launch.py"}, True),
         ("p/launch/sick.launch_old.py", {"sick.launch_old.py", "sick.launch.py"}, True),
         ("p/scripts/backup_drive.py", {"backup_drive.py", "drive.py"}, True),
+        ("p/config/arm(old).yaml", {"arm(old).yaml", "arm.yaml"}, True),
         ("p/scripts/drive_old.py", {"drive_old.py", "drive.cpp"}, False),
         ("p/scripts/backup_recovery.py", {"backup_recovery.py"}, False),
         ("p/scripts/threshold.py", {"threshold.py", "thresh.py"}, False),

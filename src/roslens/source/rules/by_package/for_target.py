@@ -39,7 +39,7 @@ def _counted(hits: Sequence[Hit], view: PackageView, target: Target) -> Iterator
             continue
         yield msgspec.structs.replace(
             hit,
-            certainty=_certainty(change, effect, target, view),
+            certainty=_certainty(hit, change, effect, target, view),
             # What the target still has builds and starts there.
             consequence=None if effect is Effect.REMOVED else Consequence.HARD_TO_MAINTAIN,
             edits=() if _is_too_new(change, target) else hit.edits,
@@ -54,8 +54,9 @@ def _is_own(change: Change, view: PackageView) -> bool:
     return re.split(r"[/:.]", change.name, maxsplit=1)[0] in view.around.own
 
 
-def _certainty(change: Change, effect: Effect, target: Target, view: PackageView) -> Certainty:
-    if effect is not Effect.REMOVED or view.ros == {1, 2}:
+def _certainty(hit: Hit, change: Change, effect: Effect, target: Target, view: PackageView) -> Certainty:
+    # What a rule doubts for a reason of its own is no surer for the target.
+    if hit.certainty is Certainty.HEURISTIC or effect is not Effect.REMOVED or view.ros == {1, 2}:
         return Certainty.HEURISTIC
     return Certainty.PROVEN if target.given and target.of(change.ros) else Certainty.LIKELY
 

@@ -19,7 +19,10 @@ _LEFT = re.compile(
 )
 _COPIED = re.compile(_COPY, re.IGNORECASE)
 _MARK = re.compile(
-    r"^(?:old|bkup|bak|backup)[ _-]|[ _-](?:old(?:version)?|bkup|bak|bkp|backup|orig|original)\d*(?=\.)", re.IGNORECASE
+    r"^(?:old|bkup|bak|backup)[ _-]"
+    r"|[ _-]?\((?:old|bkup|bak|backup|orig|original)\)(?=\.)"
+    r"|[ _-](?:old(?:version)?|bkup|bak|bkp|backup|orig|original)\d*(?=\.)",
+    re.IGNORECASE,
 )
 """What marks a file as an earlier version of one that lies beside it; without that it may be a name like any other."""
 
@@ -34,7 +37,7 @@ def as_notes_where_left_behind(
         names: of all files of the package, without their folders.
     """
     return {
-        path: _notes(hits) if is_left_behind(path) or _is_earlier(path, names) else list(hits)
+        path: _notes(hits) if is_left_behind(path) or is_earlier(path, names) else list(hits)
         for path, hits in placed.items()
     }
 
@@ -49,7 +52,7 @@ def is_left_behind(path: str) -> bool:
     return _COPIED.fullmatch(name.partition(".")[0]) is not None or any(map(_LEFT.fullmatch, folders))
 
 
-def _is_earlier(path: str, names: Set[str]) -> bool:
+def is_earlier(path: str, names: Set[str]) -> bool:
     """Return whether a file is named as another one with a mark of what is kept: ``drive_old.py`` of ``drive.py``."""
     name = path.rpartition("/")[2]
     without = _MARK.sub("", name, count=1)

@@ -3,7 +3,8 @@
 A comment beside a pause, or above it, says what is waited for, or that it stands for work; so does a message that is
 logged before it. So does what ends the process or the computer after it. A command that is published right before a
 pause holds as long as the pause is, where the function publishes by the same publisher again. In a class that is an
-example there is nothing that could be late.
+example there is nothing that could be late. A function that pauses again and again is a sequence of movements: its
+author decided how long each takes.
 """
 
 from __future__ import annotations
@@ -26,6 +27,9 @@ _PUBLISHES = re.compile(r"([\w.>-]+?)(?:\.|->)publish\s*\(")
 _EXAMPLE = re.compile(r"(?:[Ee]xample|[Dd]emo|[Tt]utorial|[Ss]ample|[Dd]ead_?[Ll]ock)(?![a-z])")
 _ENDS = re.compile(r"(?i)\b(?:\w*shut_?down|power_?off|halt|reboot|s?exit|quit|kill|terminate)\b")
 _ENDING = re.compile(r"(?i)shut_?down|power_?off|reboot")
+_PAUSES = re.compile(r"\bsleep(?:_for)?\s*\(")
+_SEQUENCE = {"function_definition": 4, "class_definition": 10}
+"""Pauses of what is around a call from which on it is a sequence."""
 _BODIES = frozenset(("block", "compound_statement", "module", "translation_unit", "case_statement"))
 
 
@@ -38,6 +42,7 @@ def is_meant(call: Node, view: FileView) -> bool:
         or (before is not None and (_is_logged(before, view) or _is_held(before, call, view)))
         or _is_before_the_end(call, view)
         or _is_of_an_example(call, view)
+        or _is_in_a_sequence(call, view)
     )
 
 
@@ -93,6 +98,17 @@ def _is_before_the_end(call: Node, view: FileView) -> bool:
         return True
     rest = view.code[call.end_byte : around.end_byte].decode("utf-8", "replace")
     return any(_ENDS.search(line) and "(" in line for line in rest.splitlines())
+
+
+def _is_in_a_sequence(call: Node, view: FileView) -> bool:
+    """Return whether the function, or the class, around a call pauses so often that it plays a sequence."""
+    for kind, least in _SEQUENCE.items():
+        around = above(call, kind)
+        if around is not None:
+            code = view.code[around.start_byte : around.end_byte].decode("utf-8", "replace")
+            if len(_PAUSES.findall(code)) >= least:
+                return True
+    return False
 
 
 def _is_of_an_example(call: Node, view: FileView) -> bool:

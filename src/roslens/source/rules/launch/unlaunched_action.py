@@ -89,7 +89,8 @@ RULE = FileRule(
     title="Action that is never launched",
     finds="An action or event handler that a launch file in Python assigns to a name that is never read, or makes and "
     "keeps nowhere, and one that only event handlers wait for, which then never run. "
-    "It is a note where a comment of the file has the name: it was taken out of the description.",
+    "It is a note where a comment of the file has the name: it was taken out of the description; so is one whose "
+    "program another launch file of the workspace starts.",
     why="The node does not start, the argument does not exist, the variable is not set; nothing says so.",
     consequence=Consequence.MAY_BE_WRONG,
     certainty=Certainty.LIKELY,

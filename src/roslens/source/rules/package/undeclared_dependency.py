@@ -20,6 +20,7 @@ from roslens.source.rules.system_packages import (
     stands_for,
 )
 from roslens.source.rules.views.dependency_uses import BUILD, RUN, TEST, Use
+from roslens.source.rules.views.downloaded_projects import downloaded
 from roslens.source.rules.views.library_uses import LIBRARIES
 from roslens.source.rules.views.renamed_package import name_now
 
@@ -33,9 +34,12 @@ _BY = {
     "library": "by import",
     "plug-in": "as plug-ins",
 }
-_TAGS_OF_FORMAT_1 = {BUILD: ("build_depend", "run_depend"), RUN: ("run_depend",), TEST: ("test_depend",)}
-_TAGS_OF_FORMAT_2 = {BUILD: ("depend",), RUN: ("exec_depend",), TEST: ("test_depend",)}
-_TAGS = {BUILD: "<depend>", RUN: "<exec_depend>", TEST: "<test_depend>"}
+_TAGS_OF_FORMAT_1: dict[str, tuple[str, ...]] = {
+    BUILD: ("build_depend", "run_depend"),
+    RUN: ("run_depend",),
+    TEST: ("test_depend",),
+}
+_TAGS_OF_FORMAT_2: dict[str, tuple[str, ...]] = {BUILD: ("depend",), RUN: ("exec_depend",), TEST: ("test_depend",)}
 _RULE = "package.undeclared_dependency"
 
 
@@ -74,13 +78,13 @@ def _together(uses: Sequence[Use], view: PackageView) -> Hit:
     first = uses[0]
     others = {use.name: name_now(use.name, view) for use in uses}
     if len(uses) == 1 and _way(first) == "find_package":
-        message = f"{first.how}: package.xml does not declare {first.name!r}; expected {_tag(first)}"
+        message = f"{first.how}: package.xml does not declare {first.name!r}; expected {_tag(first, view)}"
     else:
         by_way: dict[str, list[str]] = {}
         for use in uses:
             by_way.setdefault(_BY[_way(use)], []).append(_named(use))
         ways = ", ".join(f"{', '.join(names)} ({way})" for way, names in by_way.items())
-        tags = " and ".join(dict.fromkeys(_TAGS[use.when] for use in uses))
+        tags = " and ".join(dict.fromkeys(f"<{tag}>" for use in uses for tag in _tags(view)[use.when]))
         message = f"package.xml does not declare what the package needs: {ways}; expected {tags}"
     return Hit(
         _RULE,
@@ -98,10 +102,15 @@ def _is_said_elsewhere(use: Use, view: PackageView) -> bool:
     return any(_is_said(key, use) for key in view.around.declared)
 
 
-def _tag(use: Use) -> str:
+def _tags(view: PackageView) -> dict[str, tuple[str, ...]]:
+    """Return the elements that declare a package, by when it is needed, as the format of the manifest has them."""
+    return _TAGS_OF_FORMAT_1 if view.manifest_edits.format == 1 else _TAGS_OF_FORMAT_2
+
+
+def _tag(use: Use, view: PackageView) -> str:
     """Return what is expected in package.xml, with the key where the name is none itself."""
-    tag = _TAGS[use.when]
-    return f"{tag}{KEY_OF[use.name]}{tag.replace('<', '</')}" if use.name in KEY_OF else tag
+    key = KEY_OF.get(use.name, "")
+    return " and ".join(f"<{tag}>{key}</{tag}>" if key else f"<{tag}>" for tag in _tags(view)[use.when])
 
 
 def _closes_cycle(use: Use, view: PackageView) -> bool:
@@ -128,7 +137,7 @@ def _declared(uses: Sequence[Use], view: PackageView) -> tuple[Edit, ...]:
     here = {name for name, _ in view.around.folders}
     if not manifest.format or len(view.ros) > 1 or not all(use.name in here or _is_known(use) for use in uses):
         return ()
-    tags = _TAGS_OF_FORMAT_1 if manifest.format == 1 else _TAGS_OF_FORMAT_2
+    tags = _tags(view)
     return joined([manifest.added(tag, KEY_OF.get(use.name, use.name)) for use in uses for tag in tags[use.when]])
 
 
@@ -160,6 +169,8 @@ def _expected(use: Use, view: PackageView) -> bool:
         return False
     if use.how.startswith("import") and _is_own_module(name, view):
         return False
+    if name.lower() in downloaded(view.cmake):
+        return False
     if any(one.endswith((f"Find{name}.cmake", f"{name}-config.cmake", f"{name}Config.cmake")) for one in view.listing):
         return False
     if name.startswith("ament_cmake"):
@@ -183,7 +194,8 @@ RULE = PackageRule(
     "files need. What is only included, and a library or plug-in that another package of the workspace declares, make "
     "a note where there is nothing else, and so does a package that depends on this one itself: to declare it would "
     "close a cycle. Where a distribution has the package under another name, or the workspace one of almost that name, "
-    "the message says so. Libraries of C++ are known by the keys of rosdep; modules of CMake need none.",
+    "the message says so. Libraries of C++ are known by the keys of rosdep; modules of CMake need none, nor does what "
+    "CMakeLists.txt downloads.",
     why="rosdep does not install it, colcon and catkin may build this package before it, and a build of only this "
     "package fails on the next machine; today it works because another package happens to bring it.",
     consequence=Consequence.HARD_TO_MAINTAIN,

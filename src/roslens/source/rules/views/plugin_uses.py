@@ -12,6 +12,7 @@ from functools import cache
 from posixpath import dirname
 
 from roslens.model.source import Language, Role, SourceFile
+from roslens.source.rules.by_package.left_behind import is_earlier, is_left_behind
 from roslens.source.rules.views.package_files import PackageFiles
 
 _LIKE_THEMSELVES = """
@@ -56,8 +57,9 @@ def packages() -> dict[str, str]:
 
 def plugins_named(view: PackageFiles) -> Iterator[tuple[str, str, str, int]]:
     """Yield each known plug-in that a package names: the package that has it, its type, the path and the line."""
+    names = {path.rpartition("/")[2] for path in view.listing}
     for file in view.of_language(Language.YAML, *_DESCRIPTIONS, roles=(Role.OWN,)):
-        if _ASIDE.search(view.inside(dirname(file.path))):
+        if _ASIDE.search(view.inside(dirname(file.path))) or is_left_behind(file.path) or is_earlier(file.path, names):
             continue
         yield from _named_in(view.read(file.path), file, 2 if 2 in view.ros else 1)
 

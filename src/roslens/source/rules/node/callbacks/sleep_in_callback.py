@@ -69,7 +69,8 @@ RULE = FileRule(
     title="Sleep in a callback",
     finds="A callback of a subscription, timer, service or action that sleeps. Let a timer go on later instead. A "
     "sleep of less than a second, or of a length that is computed, is a note: a device may need it. So is one that a "
-    "comment or a logged message explains, that is how long a published command holds, or that an example has.",
+    "comment or a logged message explains, that is how long a published command holds, that is one of four or more in "
+    "a function (a sequence of movements), or that an example has.",
     why="A node's executor has one thread by default: while a callback sleeps, no message, no timer and no stop "
     "command is looked at, and queues run over.",
     consequence=Consequence.MAY_BE_WRONG,

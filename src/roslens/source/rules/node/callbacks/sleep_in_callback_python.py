@@ -56,8 +56,8 @@ RULE = FileRule(
     finds="A callback that sleeps, or a function that it calls: of a subscription or timer, in rclpy of a service or "
     "action too. Let a timer go on later instead. A sleep of less than a second, or of a length that is computed, is a "
     "note: a device may need it. So is one that a comment or a logged message explains, that is how long a published "
-    "command holds, or that an example has, and one where goals of an action are carried out, which may take their "
-    "time: only other callbacks wait.",
+    "command holds, that is one of four or more in a function (a sequence of movements), or that an example has, and "
+    "one where goals of an action are carried out, which may take their time: only other callbacks wait.",
     why="rclpy runs all callbacks in one thread by default, rospy all of a connection: messages queue up, and "
     "what is handled afterwards is old.",
     consequence=Consequence.MAY_BE_WRONG,

@@ -36,12 +36,15 @@ SETTINGS = {
     "CPPLINT.cfg": "set noparent\nfilter=-x\n",
     ".clang-format": "BasedOnStyle: Google\n",
     ".clang-tidy": "Checks: '*'\nExtraArgs: [{gpu}]\n",
-    ".catkin_lint": "[catkin_lint]\nseverity_level = 2\n",
+    ".catkin_lint": "[catkin_lint]\nextra_checks = evil_plugin.check os.abort\n",
     "std.cfg": '<?xml version="1.0"?><def format="2"><define name="X" value=""/></def>\n',
     "misra.json": '{{"script": "./misra.py", "python": "./tool.sh"}}\n',
     "cppcheck.cfg": '{{"addons": ["misra"]}}\n',
     "clang++.cfg": "-fplugin=./evil_native.so\n",
 }
+
+LIBRARIES = ("libm.so.6", "libz.so.1", "libdl.so.2", "libtinyxml2.so.9", "libedit.so.2", "libffi.so.8", "libxml2.so.2")
+"""Of programs that are started in the workspace, where an empty entry of ``LD_LIBRARY_PATH`` means it."""
 
 GPU = ("-fopenmp=libomp", "-fopenmp-targets=amdgcn-amd-amdhsa", "-nogpulib", "--amdgpu-arch-tool=./tool.sh")
 FLAGS = (
@@ -118,6 +121,8 @@ class CanaryWorkspace:
                 subprocess.run([compiler, "-shared", "-fPIC", str(source), "-o", str(built)], check=True)
             shutil.copy(built, place / f"{name}.so")
             shutil.copy(built, place / f"{name}{suffix}")
+            for library in LIBRARIES if name == "evil_native" else ():
+                shutil.copy(built, place / library)
         compiled = place / "__pycache__"
         compiled.mkdir(exist_ok=True)
         text = self.here.parent / "compiled.py"

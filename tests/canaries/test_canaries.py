@@ -24,9 +24,16 @@ def hostile(tmp_path_factory):
 
 @pytest.fixture
 def alone(hostile, monkeypatch, tmp_path):
-    """Give each test the workspace without a configuration, a user of its own, and the workspace as current folder."""
+    """Give each test the workspace without a configuration, a user of its own, and the workspace as current folder.
+
+    The user's search paths have empty entries, as ``export PATH=$PATH:/opt`` leaves them where there was none, and ROS
+    knows the workspace, as it does where its setup file was sourced.
+    """
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "user"))
     monkeypatch.setenv("PATH", os.pathsep.join((os.environ["PATH"], str(WHEELS))))
+    for name in ("PYTHONPATH", "LD_LIBRARY_PATH"):
+        monkeypatch.setenv(name, os.pathsep + os.environ.get(name, "/nowhere"))
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(hostile.root))
     monkeypatch.chdir(hostile.root)
     (hostile.root / "roslens.toml").unlink(missing_ok=True)
     hostile.sing()
@@ -64,8 +71,12 @@ def test_a_tool_that_the_user_names_runs_nothing_of_the_workspace(name, alone, c
     report = check(alone, capfd, "--tools", name)
     assert alone.sing() == []
     assert alone.changed(before) == []
-    if name != "clang_format":  # which has no layout without settings
+    said = [failure["what"] for failure in report["failures"] if failure["tool"] == name]
+    if name == "clang_format":  # which has no layout without settings
+        assert len(said) == 1, said
+    else:
         assert name in report["run"]["tools"]
+        assert said == []
 
 
 @pytest.mark.parametrize("name", ASKED)

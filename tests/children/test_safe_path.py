@@ -7,7 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from roslens.children.safe_path import NEUTRAL, absolute, elsewhere, python_words, safe_environment
+from roslens.children.safe_path import (
+    NEUTRAL,
+    absolute,
+    absolute_search_paths,
+    elsewhere,
+    python_words,
+    safe_environment,
+    without_current_folder,
+)
 
 SHADOWED = ("struct", "random", "socket", "signal", "selectors", "threading", "json", "rclpy", "msgspec")
 
@@ -39,6 +47,43 @@ def test_an_empty_entry_of_the_users_path_means_a_neutral_folder(hostile):
 def test_entries_that_depend_on_the_current_folder_are_left_out():
     assert absolute(["", ".", "src", "/a", "/b"]) == ["/a", "/b"]
     assert safe_environment({"A": "1"}) == {"A": "1", "PYTHONSAFEPATH": "1"}
+
+
+def test_search_paths_of_the_environment_lose_what_depends_on_the_current_folder():
+    before = {"PATH": "/bin::/usr/bin", "PYTHONPATH": ":/a", "LD_LIBRARY_PATH": "/b:", "CPATH": ":/c", "HOME": ""}
+    after = {"PATH": "/bin:/usr/bin", "PYTHONPATH": "/a", "LD_LIBRARY_PATH": "/b", "CPATH": ":/c", "HOME": ""}
+    assert without_current_folder(before) == after
+    assert without_current_folder(after) == after
+    assert without_current_folder({"PATH": ".:bin"}) == {"PATH": "/"}, "an empty one would mean the current folder"
+    assert absolute_search_paths({"PATH": "/bin", "PYTHONPATH": ""}) == {}
+
+
+def test_doctor_names_search_paths_with_such_an_entry(hostile):
+    program = Path(sys.executable).with_name("roslens")
+    environment = {**os.environ, "PYTHONPATH": ":/nowhere", "LD_LIBRARY_PATH": "/nowhere"}
+    done = subprocess.run(
+        [str(program), "doctor"], env=environment, capture_output=True, text=True, timeout=300, check=False
+    )
+    assert "note  $PYTHONPATH has an empty or relative entry" in done.stdout
+    assert "$LD_LIBRARY_PATH" not in done.stdout
+
+
+def test_python_itself_takes_what_it_begins_with_from_the_current_folder(hostile):
+    (hostile / "sitecustomize.py").write_text("raise SystemExit('taken')\n")
+    environment = {**os.environ, "PYTHONPATH": ":/nowhere"}
+    done = subprocess.run([sys.executable, "-c", ""], env=environment, capture_output=True, text=True, check=False)
+    assert "taken" in done.stderr
+
+
+@pytest.mark.parametrize("words", [("roslens",), (sys.executable, "-m", "roslens")], ids=["roslens", "-m"])
+@pytest.mark.parametrize("path", ["", ":/nowhere", "."])
+def test_the_command_imports_nothing_of_the_folder_it_is_started_in(hostile, words, path):
+    program = Path(sys.executable).with_name(words[0]) if words[0] == "roslens" else words[0]
+    environment = {**os.environ, "PYTHONPATH": path}
+    asked = [str(program), *words[1:], "check", ".", "--no-store", "--no-cache"]
+    done = subprocess.run(asked, env=environment, capture_output=True, text=True, timeout=120, check=False)
+    assert "0 of 0 packages measured" in done.stderr
+    assert not (hostile / "ran").exists()
 
 
 def test_elsewhere_comes_back(hostile, monkeypatch):

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from roslens.children.safe_path import without_current_folder
+
 COMMANDS = frozenset(
     {
         "cat-file", "config", "diff-index", "fetch", "for-each-ref", "init", "ls-files", "ls-remote", "ls-tree",
@@ -99,7 +101,7 @@ def fetching_environment(base: Mapping[str, str]) -> dict[str, str]:
     Args:
         base: of this process.
     """
-    kept = {name: value for name, value in base.items() if name not in _LEFT_OUT}
+    kept = {name: value for name, value in without_current_folder(base).items() if name not in _LEFT_OUT}
     return {
         **kept,
         "GIT_ALLOW_PROTOCOL": ":".join(SCHEMES),

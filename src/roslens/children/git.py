@@ -11,6 +11,8 @@ import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from roslens.children.safe_path import without_current_folder
+
 COMMANDS = frozenset(
     {
         "cat-file",
@@ -66,7 +68,7 @@ def git_environment(base: Mapping[str, str], objects: Sequence[str] = ()) -> dic
         base: of this process.
         objects: folders of further objects that git reads as the repository's own.
     """
-    kept = {name: value for name, value in base.items() if name not in _LEFT_OUT}
+    kept = {name: value for name, value in without_current_folder(base).items() if name not in _LEFT_OUT}
     quoted = ('"' + path.replace("\\", "\\\\").replace('"', '\\"') + '"' for path in objects)
     more = {"GIT_ALTERNATE_OBJECT_DIRECTORIES": os.pathsep.join(quoted)} if objects else {}
     return {

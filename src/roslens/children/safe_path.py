@@ -4,6 +4,10 @@
 ``struct.py`` of a workspace that is analysed would then be imported in place of the standard library's. ``-P`` exists
 from Python 3.11 on only, so children are started in a folder that only the administrator can write to, and with the
 current folder taken off the path before anything else is imported.
+
+The other variables of :data:`SEARCH_PATHS` mean the current folder by an empty entry, too: the linker would load a
+library of the workspace into whatever program is started there. Lines like ``export PYTHONPATH=$PYTHONPATH:/opt/…``
+leave such an entry.
 """
 
 from __future__ import annotations
@@ -20,7 +24,11 @@ _FIRST = "import sys; sys.path[:] = [one for one in sys.path if one not in ('', 
 _EXACT = "import sys; sys.path[:] = {path!r}; "
 _SAFE = "PYTHONSAFEPATH"
 
+SEARCH_PATHS = ("PATH", "PYTHONPATH", "LD_LIBRARY_PATH")
+"""Variables by whose folders programs, modules and libraries are found, in what is started."""
+
 _starting = threading.Lock()
+_shortened: list[str] = []
 
 
 def python_words(python: str, code: str, words: Sequence[str] = (), path: Sequence[str] | None = None) -> list[str]:
@@ -43,7 +51,33 @@ def absolute(path: Sequence[str]) -> list[str]:
 
 def safe_environment(base: Mapping[str, str]) -> dict[str, str]:
     """Return the environment in which Python leaves the current folder off its path, from 3.11 on."""
-    return {**base, _SAFE: "1"}
+    return {**without_current_folder(base), _SAFE: "1"}
+
+
+def without_current_folder(base: Mapping[str, str]) -> dict[str, str]:
+    """Return an environment whose search paths have no entry that depends on the current folder."""
+    return {**base, **absolute_search_paths(base)}
+
+
+def absolute_search_paths(base: Mapping[str, str]) -> dict[str, str]:
+    """Return those of :data:`SEARCH_PATHS` that have an entry which depends on the current folder, without it."""
+    parts = {name: base[name].split(os.pathsep) for name in SEARCH_PATHS if base.get(name)}
+    # An empty PATH would mean the current folder again.
+    return {
+        name: os.pathsep.join(absolute(given)) or NEUTRAL for name, given in parts.items() if absolute(given) != given
+    }
+
+
+def shorten_search_paths() -> None:
+    """Take what depends on the current folder off the search paths of this process, for all that it starts."""
+    shorter = absolute_search_paths(os.environ)
+    os.environ.update(shorter)
+    _shortened.extend(shorter)
+
+
+def shortened_search_paths() -> tuple[str, ...]:
+    """Return the names of the search paths that were shortened."""
+    return tuple(_shortened)
 
 
 @contextlib.contextmanager

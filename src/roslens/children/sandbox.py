@@ -19,6 +19,7 @@ import msgspec
 
 from roslens.children.landlock import DEVICE, LIST, READ, RUN, WRITE, landlock_version, restrict
 from roslens.children.no_sockets import refuse_sockets
+from roslens.children.safe_path import without_current_folder
 
 LANDLOCK, BUBBLEWRAP, NONE = "landlock", "bubblewrap", ""
 
@@ -84,7 +85,7 @@ def environment_of(sandbox: Sandbox) -> dict[str, str]:
     """
     changed = dict.fromkeys(SCRATCH_VARIABLES, sandbox.write[0]) if sandbox.write else {}
     if guarded := sandbox.guarded or next(iter(sandbox.read), ""):
-        before = os.environ.get("PYTHONPATH", "")
+        before = without_current_folder(os.environ).get("PYTHONPATH", "")
         changed["PYTHONPATH"] = GUARD + (os.pathsep + before if before else "")
         changed[GUARDED] = guarded
         changed[IMPORTED] = os.pathsep.join(sandbox.imported)

@@ -30,7 +30,7 @@ class Runner:
         self.limits = []
         self.bad = set(bad)
 
-    def run(self, words, *, folder, time_limit_s, safe_path=True, sandbox=None):
+    def run(self, words, *, folder, time_limit_s, safe_path=True, sandbox=None, variables=None):
         self.calls.append(words[1:])
         if self.bad & set(words[1:]):
             raise ToolError("was ended by SIGSEGV")

@@ -1,5 +1,8 @@
 """What cpplint printed is what is reported."""
 
+from pathlib import Path
+
+import msgspec
 import pytest
 from recorded_tools import OUTPUT, reading, request
 
@@ -29,8 +32,30 @@ def test_output_of_something_else(output):
         plugin.read(Ended(0, output, b""), request(plugin, ("sample.cpp",)))
 
 
+OPTIONS = {"filter": ["+runtime/int"], "line_length": 120}
+
+
 def test_options_reach_the_call():
-    words = plugin.words(request(plugin, ("-x.cpp",), options={"filter": ["+runtime/int"], "line_length": 120}))
+    words = plugin.words(request(plugin, ("-x.cpp",), options=OPTIONS, own_settings=True))
     assert "--filter=+runtime/int" in words
     assert "--linelength=120" in words
     assert words[-2:] == ["--", "./-x.cpp"]
+
+
+def test_where_settings_do_not_count_it_looks_at_links_without_any_above_them(tmp_path):
+    root, scratch = tmp_path / "ws", tmp_path / "scratch"
+    (root / "arm" / "src" / ".git").mkdir(parents=True)
+    (root / "arm" / "src" / "a.cpp").write_text("int a;\n")
+    (root / "CPPLINT.cfg").write_text("filter=-\n")
+    scratch.mkdir()
+    asked = request(plugin, ("arm/src/a.cpp",), options=OPTIONS)
+    asked = msgspec.structs.replace(asked, root=str(root), scratch=str(scratch))
+    link = plugin.words(asked)[-1]
+    assert Path(link).read_text() == "int a;\n"
+    assert [path.name for path in sorted(Path(link).parent.iterdir())] == [".git", "a.cpp"], "the repository is known"
+    settings = [path / "CPPLINT.cfg" for path in Path(link).parents if (path / "CPPLINT.cfg").exists()]
+    assert [path.read_text() for path in settings] == ["set noparent\n"]
+    found = plugin.read(
+        Ended(1, f"Done processing {link}\n".encode(), f"{link}:1:  x  [runtime/int] [4]\n".encode()), asked
+    )
+    assert [(one.path, one.check) for one in found.findings] == [("arm/src/a.cpp", "runtime/int")]

@@ -22,18 +22,31 @@ if TYPE_CHECKING:
 
 VARIABLE, IMPORTED = "ROSLENS_GUARDED", "ROSLENS_IMPORTED"
 
+NOT_THERE = "multiprocessing.synchronize"
+"""There are no semaphores in a sandbox, as ``/dev/shm`` is everybody's.
+
+Python lacks this module on systems without semaphores, and programs do their work in one process then; one that finds
+it, and is refused a semaphore, crashes.
+"""
+
 
 class GuardedFinder:
     """Finds modules as Python does, but in no folder of a workspace that was not searched from the beginning."""
 
-    def __init__(self, root: str, searched: Iterable[str]) -> None:
-        """Leave out folders below ``root``, but for those in ``searched``, which are real paths, and below them."""
+    def __init__(self, root: str, searched: Iterable[str], not_there: str = "") -> None:
+        """Leave out folders below ``root``, but for those in ``searched``, which are real paths, and below them.
+
+        The module named ``not_there`` is nowhere.
+        """
+        self._not_there = not_there
         self._root = root.rstrip(os.sep) + os.sep
         self._searched = tuple(place.rstrip(os.sep) + os.sep for place in searched)
         self._known: dict[object, bool] = {}
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: Any = None) -> ModuleSpec | None:
         """Return where a module is; None if it is nowhere else than in the workspace."""
+        if fullname == self._not_there:
+            return None
         allowed = [place for place in (sys.path if path is None else path) if self._is_allowed(place)]
         return PathFinder.find_spec(fullname, allowed, target)
 
@@ -62,20 +75,21 @@ class GuardedFinder:
         return known
 
 
-def guard_imports(root: str) -> None:
+def guard_imports(root: str, not_there: str = "") -> None:
     """Leave the folders of a workspace out of the search for modules from now on.
 
     Args:
         root: the folder of the workspace.
+        not_there: a module that is found nowhere.
     """
     real = os.path.realpath(root)
     here = os.path.realpath(".")
     places = {os.path.realpath(place) for place in sys.path if place and os.path.isabs(place)}  # noqa: PTH117
     places -= {real, here, os.sep}
     places.update(os.path.realpath(place) for place in os.environ.get(IMPORTED, "").split(os.pathsep) if place)
-    finder: Any = GuardedFinder(real, sorted(places))
+    finder: Any = GuardedFinder(real, sorted(places), not_there)
     sys.meta_path[:] = [finder if one is PathFinder else one for one in sys.meta_path]
 
 
 if __name__ == "sitecustomize" and os.environ.get(VARIABLE):
-    guard_imports(os.environ[VARIABLE])
+    guard_imports(os.environ[VARIABLE], NOT_THERE)

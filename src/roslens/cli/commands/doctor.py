@@ -61,6 +61,7 @@ def _checks(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
             ("ok", f"{program}: {place}") if place else ("note", f"{program} is not installed; it is needed for {use}")
         )
     yield _sandbox()
+    yield from _search_paths()
     yield from _middleware()
     yield from _tools(options)
     try:
@@ -110,6 +111,20 @@ def _sandbox() -> tuple[str, str]:
     return "note", (
         "tools and plug-ins run without a sandbox: this kernel has no Landlock (Linux 5.13), and bwrap is not installed"
     )
+
+
+def _search_paths() -> Iterator[tuple[str, str]]:
+    """Report search paths by which a workspace chooses what runs, once it is the current folder."""
+    from roslens.children.safe_path import shortened_search_paths
+
+    for name in shortened_search_paths():
+        yield (
+            "note",
+            (
+                f"${name} has an empty or relative entry, by which programs started in a workspace take files of it; "
+                f"roslens leaves it out. `export {name}=/opt/…${{{name}:+:${name}}}` adds a folder without one"
+            ),
+        )
 
 
 def _tools(options: argparse.Namespace) -> Iterator[tuple[str, str]]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Mapping
 from pathlib import PurePosixPath
 
 from roslens.model.source import Language, SourceFile
@@ -11,6 +13,7 @@ from roslens.source.tools.tool import READ_ROLES, Reading, Request, Tool, ToolFi
 from roslens.source.tools.xml_output import number, xml_root
 
 _LEVELS = ("error", "warning", "notice")
+SEARCHED = "ROS_PACKAGE_PATH"
 
 
 class CatkinLint(Tool):
@@ -41,8 +44,10 @@ class CatkinLint(Tool):
 
     def words(self, request: Request) -> list[str]:
         """Return the call, which does not use the network."""
+        searched = os.environ.get(SEARCHED, "")
         return [
             request.program,
+            *(["--package-path", searched] if searched and not request.own_settings else []),
             "--offline",
             "--quiet",
             "--xml",
@@ -50,6 +55,14 @@ class CatkinLint(Tool):
             *(word for name in request.options["ignore"] for word in ("--ignore", name)),
             *(f"./{PurePosixPath(path).parent}" for path in own_paths(request)),
         ]
+
+    def variables(self, request: Request) -> Mapping[str, str]:
+        """Return where it looks for settings: they can name modules whose code it runs.
+
+        It takes them from each folder of ``ROS_PACKAGE_PATH``, which is the workspace where that is built; packages it
+        takes as well from ``--package-path``.
+        """
+        return {} if request.own_settings else {SEARCHED: request.scratch}
 
     def read(self, ended: Ended, request: Request) -> Reading:
         """Read the XML of standard output, which names packages and files in them."""

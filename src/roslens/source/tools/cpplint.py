@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from pathlib import Path
 
 from roslens.plugins.points import Option
 from roslens.source.tools.running.run_tool import Ended
@@ -35,8 +37,15 @@ FILTER = (
 )
 """What ament_cpplint turns off for ROS 2, and header guards: what they should be called depends on the workspace."""
 
-NO_SETTINGS = "roslens.no.settings"
-"""The name by which cpplint looks for settings where those of the workspace do not count."""
+SETTINGS = "CPPLINT.cfg"
+APART = "workspace"
+"""In the scratch, the folder with links to the files where the settings beside them do not count.
+
+cpplint before 2.0 cannot be told to leave settings out, and looks for them above the path that it was given.
+"""
+
+_REPOSITORIES = (".git", ".hg", ".svn")
+"""What tells cpplint where a repository begins, for the name by which a header is its source's own."""
 
 
 class Cpplint(Tool):
@@ -49,7 +58,7 @@ class Cpplint(Tool):
     languages = ("c", "cpp")
     version_pattern = r"cpplint (\d+(?:\.\d+)+)"
     oldest = (1, 5)
-    settings_files = ("CPPLINT.cfg",)
+    settings_files = (SETTINGS,)
     options = (
         Option("filter", "list", "Categories to add (`+`) or leave out (`-`), as cpplint's --filter.", list(FILTER)),
         Option("line_length", "int", "Characters that a line may have.", 100),
@@ -61,10 +70,9 @@ class Cpplint(Tool):
             request.program,
             f"--filter={','.join(request.options['filter'])}",
             f"--linelength={request.options['line_length']}",
-            *([] if request.own_settings else [f"--config={NO_SETTINGS}"]),
             "--extensions=c,cc,cpp,cxx,c++,cu,h,hh,hpp,hxx,h++,cuh,ipp,tpp,inl",
             "--",
-            *request.files,
+            *(request.files if request.own_settings else _linked(request)),
         ]
 
     def read(self, ended: Ended, request: Request) -> Reading:
@@ -77,24 +85,47 @@ class Cpplint(Tool):
         strange: list[str] = []
         for line in rest:
             if match := _SKIPPED.match(line):
-                skipped[below_root(match["path"], request.root)] = match["why"]
+                skipped[_path(match["path"], request)] = match["why"]
             elif match := _IGNORED.match(line):
-                skipped[below_root(match["path"], request.root)] = "not a file name that it accepts"
+                skipped[_path(match["path"], request)] = "not a file name that it accepts"
             elif not _NOISE.match(line):
                 strange.append(line)
         if not done and not found and not skipped:
             raise unreadable(ended.stdout + ended.stderr, "`Done processing FILE` for each file")
-        passed = {below_root(path, request.root) for path in done}
+        passed = {_path(path, request) for path in done}
         for path in own_paths(request):
             if path not in passed and path not in skipped:
                 skipped[path] = "it does not report that it checked it"
         findings = tuple(
-            ToolFinding(
-                below_root(match["path"], request.root), int(match["line"]), 0, match["check"], match["message"]
-            )
+            ToolFinding(_path(match["path"], request), int(match["line"]), 0, match["check"], match["message"])
             for match in found
         )
         return Reading(findings, skipped, tuple(strange[:3]))
+
+
+def _linked(request: Request) -> Iterator[str]:
+    """Yield the paths of links to the files of a call, where no settings are beside or above them."""
+    apart = Path(request.scratch, APART)
+    apart.mkdir()
+    (apart / SETTINGS).write_text("set noparent\n")
+    known: set[Path] = set()
+    for path in own_paths(request):
+        link, real = apart / path, Path(request.root, path)
+        link.parent.mkdir(parents=True, exist_ok=True)
+        link.symlink_to(real)
+        for there, here in zip((link, *link.parents), (real, *real.parents), strict=False):
+            if there == apart.parent or there in known:
+                break
+            known.add(there)
+            for name in _REPOSITORIES:
+                if (here / name).exists():
+                    (there / name).touch()
+        yield str(link)
+
+
+def _path(path: str, request: Request) -> str:
+    """Return a path of the output below the root of the workspace."""
+    return below_root(path, request.root if request.own_settings else str(Path(request.scratch, APART)))
 
 
 plugin = Cpplint()

@@ -191,6 +191,10 @@ class Tool(ABC):
     def words(self, request: Request) -> list[str]:
         """Return the program with its arguments."""
 
+    def variables(self, request: Request) -> Mapping[str, str]:  # noqa: ARG002 - most tools need none
+        """Return variables of the environment of a call that are others than the user's."""
+        return {}
+
     @abstractmethod
     def read(self, ended: Ended, request: Request) -> Reading:
         """Return what a call that ended with one of :attr:`clean_codes` reports.

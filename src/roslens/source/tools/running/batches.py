@@ -134,6 +134,7 @@ class Batches:
                     folder=scratch if tool.in_scratch else request.root,
                     time_limit_s=time_limit_s,
                     safe_path=tool.safe_path,
+                    variables=tool.variables(request),
                     sandbox=sandbox_of(request, network=tool.asks_the_net),
                 )
                 return tool.read(tool.checked(ended), request)

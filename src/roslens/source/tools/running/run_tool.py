@@ -17,7 +17,7 @@ import msgspec
 
 from roslens.children.lifeline import words_with_lifeline
 from roslens.children.limits import limit_processor
-from roslens.children.safe_path import python_words, safe_environment
+from roslens.children.safe_path import python_words, safe_environment, without_current_folder
 from roslens.children.sandbox import (
     BUBBLEWRAP,
     LANDLOCK,
@@ -51,6 +51,9 @@ from roslens.children.sandbox import confine, sandbox_of_text
 confine(sandbox_of_text({sandbox!r}))
 """
 _VARIABLES = "os.environ.update({environment!r})\n"
+
+
+_NONE: Mapping[str, str] = {}
 
 
 class ToolError(Exception):
@@ -103,6 +106,7 @@ class ToolRunner:
         most_processes: int = 0,
         sandbox: Sandbox | None = None,
         processor_s: float = 0.0,
+        variables: Mapping[str, str] = _NONE,
     ) -> Ended:
         """Run a program to its end and return what it left.
 
@@ -118,6 +122,7 @@ class ToolRunner:
             most_processes: with how many more at once it is ended; 0 for any number, as where the kernel tells none.
             sandbox: what it may touch; None for all that this process may. Its first folder to write is its home.
             processor_s: seconds of a processor after which the kernel ends it; 0 for none.
+            variables: of its environment, where they are others than those of this process or of ``environment``.
 
         Raises:
             ToolError: it could not be started, did not end in time, or printed too much.
@@ -130,7 +135,7 @@ class ToolRunner:
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
                 start_new_session=True,
-                env=environment or _environment(os.environ, safe_path=safe_path),
+                env={**(environment or _environment(os.environ, safe_path=safe_path)), **variables},
             )
         except OSError as error:
             raise ToolError(f"cannot be started: {error.strerror}") from error
@@ -226,7 +231,7 @@ def ended_how(code: int) -> str:
 def _environment(base: Mapping[str, str], *, safe_path: bool) -> dict[str, str]:
     """Return the environment of a tool: plain words without colours, in a fixed language."""
     plain = {**base, "LC_ALL": "C.UTF-8", "NO_COLOR": "1", "TERM": "dumb", "COLUMNS": "200"}
-    return safe_environment(plain) if safe_path else plain
+    return safe_environment(plain) if safe_path else without_current_folder(plain)
 
 
 def _read(descriptors: Iterable[int], selector: selectors.BaseSelector, taken: dict[int, list[bytes]]) -> int:

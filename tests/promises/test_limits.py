@@ -37,7 +37,7 @@ def test_the_limits_of_a_file():
         f"{SOURCE_FILE_S:g} s of processor time ({most_s} s where the process has to be ended)",
         f"at least {LEAST_MEMORY // 1_000_000} MB and at most {MOST_MEMORY // 1_000_000_000} GB",
         f"more than {LARGE_BYTES >> 10} KiB is read in a process of its own",
-        f"one of more than {UNWATCHED_BYTES >> 10} KiB on a cluster",
+        f"one of more than {UNWATCHED_BYTES >> 10} KiB outside Linux",
         f"{MAXIMUM_SIZE >> 20} MiB per manifest",
     ):
         assert limit in text, limit

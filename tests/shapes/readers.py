@@ -14,6 +14,7 @@ from roslens.intake.file_budget import Slot, file_budget, watch, why_ended
 from roslens.intake.time_budget import OverBudgetError
 from roslens.model.source import Language
 from roslens.source.extract.facts.launched import Unresolved
+from shapes.shapes import SHAPES
 
 LAUNCH = b"<launch><param name='robot_description' command='$(find xacro)/xacro $(find pkg)/robot.xacro'/></launch>"
 
@@ -173,6 +174,12 @@ READERS: dict[str, Callable[[bytes], None]] = {
     "TOML": _toml,
     "documents": _document,
 }
+
+
+def read_shape(task: tuple[str, str, int]) -> None:
+    """Read a shape of a grammar by its name and size, as a task of an engine."""
+    grammar, name, size = task
+    READERS[grammar](SHAPES[grammar][name](size))
 
 
 def ready(grammar: str) -> None:

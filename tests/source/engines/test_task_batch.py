@@ -31,6 +31,6 @@ def test_few_tasks_are_a_batch_each():
 
 def test_each_task_has_its_own_result_or_error():
     free = TaskLimits(seconds=0, memory_bytes=0)
-    one, two, three = run_batch(int, free, ["1", "two", "3"])
+    one, two, three = run_batch(int, free, "", ["1", "two", "3"])
     assert (one, three) == (1, 3)
     assert isinstance(two, ValueError)

@@ -2,7 +2,6 @@
 
 import os
 import sys
-import textwrap
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -15,82 +14,12 @@ from roslens.source.engines.watched_reader import LostReaderError, WatchedReader
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the kernel's bounds are those of Linux")
 
-READING = """
-import os
-import signal
-from pathlib import Path
-
-from roslens.intake.file_budget import file_budget, refused
-from roslens.intake.time_budget import OverBudgetError
-from roslens.model.errors import DocumentError
-
-
-def read(root, *names):
-    found = {}
-    for name in names:
-        text = Path(root, name).read_text()
-        try:
-            with file_budget(name, seconds=1.0):
-                if text == "abort":
-                    os.abort()
-                if text == "spin":
-                    # As a call into C that looks at nothing.
-                    signal.pthread_sigmask(signal.SIG_BLOCK, set(range(1, 65)) - {signal.SIGXCPU})
-                    while True:
-                        pass
-                if text == "slow":
-                    while True:
-                        pass
-                if text == "large":
-                    bytearray(8_000_000_000)
-                found[name] = text
-        except OverBudgetError as error:
-            found[name] = f"left out: {error}"
-    return os.getpid(), found
-
-
-def told(tell, times):
-    for number in range(times):
-        tell("step", number)
-    return times
-
-
-def wrong(path):
-    raise DocumentError("a key", where=path, expected="none")
-
-
-def lost():
-    os._exit(7)
-
-
-def printed():
-    print("not an answer")
-    return sorted(refused())
-"""
-
-
-@pytest.fixture
-def reading(tmp_path, monkeypatch):
-    (tmp_path / "reading_of_files.py").write_text(textwrap.dedent(READING))
-    monkeypatch.syspath_prepend(tmp_path)
-    import reading_of_files
-
-    yield reading_of_files
-    del sys.modules["reading_of_files"]
-
 
 @pytest.fixture
 def reader(tmp_path):
     made = WatchedReader(str(tmp_path))
     yield made
     made.end()
-
-
-def written(root, **texts):
-    past = time.time() - 60
-    for name, text in texts.items():
-        (root / name).write_text(text)
-        os.utime(root / name, (past, past))
 
 
 @pytest.mark.parametrize(
@@ -102,8 +31,8 @@ def written(root, **texts):
         ("spin", "s of processor time"),
     ],
 )
-def test_one_file_is_lost_and_named_and_the_others_are_read(reader, reading, tmp_path, text, why):
-    written(tmp_path, before="1", bad=text, after="2")
+def test_one_file_is_lost_and_named_and_the_others_are_read(reader, reading, tmp_path, written, text, why):
+    written(before="1", bad=text, after="2")
     _, found = reader.ask(reading.read, str(tmp_path), "before", "bad", "after")
     assert found.pop("bad").startswith("left out: it ")
     assert found == {"before": "1", "after": "2"}
@@ -111,7 +40,7 @@ def test_one_file_is_lost_and_named_and_the_others_are_read(reader, reading, tmp
     pid, found = reader.ask(reading.read, str(tmp_path), "bad", "after")
     assert why in found["bad"]
     assert reader.ask(reading.printed) == ["bad"]
-    written(tmp_path, bad="3 is good")
+    written(bad="3 is good")
     assert reader.ask(reading.read, str(tmp_path), "bad") == (pid, {"bad": "3 is good"})
     assert reader.ask(reading.printed) == []
 
@@ -124,14 +53,14 @@ def test_what_was_written_since_the_question_is_read_again(reader, reading, tmp_
     assert reader.ask(reading.printed) == []
 
 
-def test_several_are_lost_each_by_its_name(reader, reading, tmp_path):
-    written(tmp_path, one="abort", two="abort", three="3")
+def test_several_are_lost_each_by_its_name(reader, reading, tmp_path, written):
+    written(one="abort", two="abort", three="3")
     _, found = reader.ask(reading.read, str(tmp_path), "one", "two", "three")
     assert [name for name, text in found.items() if text.startswith("left out")] == ["one", "two"]
 
 
-def test_the_next_question_has_the_same_process(reader, reading, tmp_path):
-    written(tmp_path, one="1")
+def test_the_next_question_has_the_same_process(reader, reading, tmp_path, written):
+    written(one="1")
     assert reader.ask(reading.read, str(tmp_path), "one")[0] == reader.ask(reading.read, str(tmp_path), "one")[0]
     assert reader.ask(reading.read, str(tmp_path))[0] != os.getpid()
 

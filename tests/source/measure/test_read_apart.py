@@ -126,7 +126,7 @@ def test_less_is_read_here_where_nobody_watches():
 
 
 def test_what_nobody_watches_is_read_apart(tmp_path, fresh, monkeypatch):
-    """A worker of a cluster has no process that watches it: a source costs it neither memory nor time."""
+    """A process that none watches, as outside of Linux: a source costs it neither memory nor time."""
     package = tmp_path / "arm"
     package.mkdir()
     (package / "package.xml").write_text(MANIFEST)

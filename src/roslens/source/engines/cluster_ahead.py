@@ -6,8 +6,10 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import Future
 from contextlib import suppress
+from functools import partial
 from typing import Any
 
+from roslens.source.engines.cluster_readers import make_readers_ready
 from roslens.source.engines.dask_engine import fit_client
 
 
@@ -20,7 +22,7 @@ class ClusterAhead:
         Args:
             address: of the scheduler.
             folder: that workers have to see.
-            prepare: is called on each worker.
+            prepare: is called in each process that reads for a worker.
         """
         self.address = address
         self._found: Future[Any] = Future()
@@ -44,7 +46,7 @@ class ClusterAhead:
 
     def _connect(self, address: str, folder: str, prepare: Callable[[], None]) -> None:
         try:
-            self._found.set_result(fit_client(address, folder, prepare=prepare))
+            self._found.set_result(fit_client(address, folder, prepare=partial(make_readers_ready, prepare)))
         except BaseException as error:  # noqa: BLE001 - raised where the connection is wanted
             self._found.set_exception(error)
 

@@ -12,10 +12,12 @@ import logging
 import os
 import socket
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+import msgspec
 
 from roslens.model.errors import UsageError
 from roslens.source.engines.task_batch import batch_size, run_batch
@@ -71,6 +73,7 @@ class DaskEngine:
             connection: returns one that :func:`fit_client` made; None has it made when there is work.
         """
         self._rest = rest
+        self._folder = folder
         self._limits = limits or TaskLimits()
         self._patience_s = patience_s
         self._clock = clock
@@ -116,7 +119,11 @@ class DaskEngine:
         wait = _library().wait
         standing = _Standing(client, self._clock)
         batches = _Batches(left, under_way)
-        submit = partial(client.submit, run_batch, function, self._limits, pure=False)
+
+        def submit(batch: list[Task]) -> Any:
+            limits = msgspec.structs.replace(self._limits, jobs=standing.on_one_host)
+            return client.submit(run_batch, function, limits, self._folder, batch, pure=False)
+
         while left or under_way:
             if not batches.fill(submit, standing.threads):
                 return
@@ -188,13 +195,18 @@ class _Batches(Generic[Task]):
 
 
 class _Standing:
-    """How many threads the cluster has; asking after each batch would cost the scheduler as much as the batch."""
+    """How many threads the cluster has; asking after each batch would cost the scheduler as much as the batch.
+
+    Attributes:
+        threads: of all workers.
+        on_one_host: threads that share a machine, where most do; 0 where there are none.
+    """
 
     def __init__(self, client: Any, clock: Callable[[], float]) -> None:
         self._client = client
         self._clock = clock
         self._looked = self._seen = clock()
-        self.threads = _threads(client)
+        self._count()
 
     @property
     def absent_s(self) -> float:
@@ -206,9 +218,15 @@ class _Standing:
         now = self._clock()
         if self.threads and not at_once and now - self._looked < _LOOK_S:
             return
-        self.threads, self._looked = _threads(self._client), now
+        self._count()
+        self._looked = now
         if self.threads:
             self._seen = now
+
+    def _count(self) -> None:
+        counted = _threads(self._client)
+        self.threads = sum(counted.values())
+        self.on_one_host = max(counted.values(), default=0)
 
 
 def _outcome(future: Any) -> Any:
@@ -223,22 +241,28 @@ def _outcome(future: Any) -> Any:
     return outcome
 
 
-def _threads(client: Any) -> int:
-    """Return how many threads the cluster has now; 0 where it has none or does not answer."""
-    if client.status != "running":
-        return 0
-    try:
-        return sum(client.nthreads().values())
-    except Exception:  # noqa: BLE001 - a scheduler that is gone fails in many ways
-        return 0
+def _threads(client: Any) -> Counter[str]:
+    """Return how many threads the cluster has now on each host; none where it does not answer."""
+    counted: Counter[str] = Counter()
+    if client.status == "running":
+        # A scheduler that is gone fails in many ways.
+        with suppress(Exception):
+            for address, threads in client.nthreads().items():
+                counted[_host_and_port(address)[0]] += threads
+    return counted
+
+
+def _host_and_port(address: str) -> tuple[str, str]:
+    host, _, port = address.partition("://")[2].rpartition(":")
+    return host.strip("[]"), port
 
 
 def _reaches_workers(client: Any) -> bool:
     """Return whether this process can connect to all workers; firewalls and networks of containers may prevent it."""
     try:
         for address in client.nthreads():
-            host, _, port = address.partition("://")[2].rpartition(":")
-            with socket.create_connection((host.strip("[]"), int(port)), timeout=_REACH_S):
+            host, port = _host_and_port(address)
+            with socket.create_connection((host, int(port)), timeout=_REACH_S):
                 pass
     except Exception:  # noqa: BLE001 - so does a scheduler that is gone, in many ways
         return False

@@ -19,7 +19,7 @@ import msgspec
 from roslens.intake.file_budget import most_jobs, refuse, refused
 from roslens.model.errors import UsageError
 from roslens.source.engines.task_engine import Executor, Result, Task
-from roslens.source.engines.task_limits import TaskLimits
+from roslens.source.engines.task_limits import TaskLimits, died_twice
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
@@ -84,7 +84,7 @@ class ProcessPool:
             if not again:
                 return
             if len(refused()) == left_out:
-                yield task, RuntimeError(f"the worker process died twice on this task{_bounds(self.limits)}")
+                yield task, died_twice(self.limits)
                 return
 
     def _run_pool(
@@ -154,10 +154,6 @@ def _method() -> Method:
     if os.name != "posix":
         return "spawn"
     return "fork" if sys.platform == "linux" and threading.active_count() == 1 else "forkserver"
-
-
-def _bounds(limits: TaskLimits) -> str:
-    return f", which may take {limits.seconds:g} s and {limits.memory_bytes / 1e9:g} GB"
 
 
 def is_cluster(engine: str) -> bool:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
-from roslens.source.engines.task_limits import TaskLimits, run_limited
+from roslens.source.engines.cluster_readers import ask_limited, lent_reader
+from roslens.source.engines.task_limits import TaskLimits
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -33,13 +34,23 @@ def batch_size(left: int, threads: int, begun: int = MOST * _ROUNDS) -> int:
 
 
 def run_batch(
-    function: Callable[[Task], Result], limits: TaskLimits, tasks: Sequence[Task]
+    function: Callable[[Task], Result], limits: TaskLimits, root: str, tasks: Sequence[Task]
 ) -> list[Result | Exception]:
-    """Return the result of each task, or the exception that ended it, in their order; the limits are those of each."""
+    """Return the result of each task, or the exception that ended it, in their order; the limits are those of each.
+
+    They are done in a process of their own, which this one watches.
+
+    Args:
+        function: of a module that can be imported here.
+        limits: of each task.
+        root: folder to which paths of files are relative.
+        tasks: can be pickled.
+    """
     found: list[Result | Exception] = []
-    for task in tasks:
-        try:
-            found.append(run_limited(function, limits, task))
-        except Exception as error:  # noqa: BLE001 - one task's error is a result, the others go on
-            found.append(error)
+    with lent_reader(root) as reader:
+        for task in tasks:
+            try:
+                found.append(ask_limited(reader, function, limits, task))
+            except Exception as error:  # noqa: BLE001 - one task's error is a result, the others go on
+                found.append(error)
     return found

@@ -35,6 +35,12 @@ class TaskLimits(msgspec.Struct, frozen=True):
     jobs: int = 0
 
 
+def died_twice(limits: TaskLimits) -> RuntimeError:
+    """Return the error of a task that ended its process and then another one."""
+    within = f", which may take {limits.seconds:g} s and {limits.memory_bytes / 1e9:g} GB"
+    return RuntimeError(f"the worker process died twice on this task{within}")
+
+
 def run_limited(function: Callable[[Task], Result], limits: TaskLimits, task: Task) -> Result:
     """Return what the function makes of the task; where that takes too long, this process ends.
 

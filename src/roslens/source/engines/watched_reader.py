@@ -11,6 +11,7 @@ import atexit
 import contextlib
 import os
 import pickle
+import select
 import subprocess
 import sys
 import threading
@@ -32,7 +33,7 @@ from roslens.children.lifeline import end_with_parent, leave_interrupts
 leave_interrupts()
 end_with_parent({parent})
 from roslens.source.engines.watched_reader import answer
-answer({slot}, {jobs})"""
+answer({slot}, {jobs}, {idle})"""
 
 _HEARD, _RESULT, _ERROR, _NONE = range(4)
 
@@ -44,15 +45,17 @@ class LostReaderError(RuntimeError):
 class WatchedReader:
     """Answers questions in a process of its own, one after the other; it is started by the first question."""
 
-    def __init__(self, root: str = "", *, jobs: int = 0) -> None:
+    def __init__(self, root: str = "", *, jobs: int = 0, idle_s: float = 0.0) -> None:
         """Start nothing yet.
 
         Args:
-            root: folder to which paths of files are relative.
+            root: folder to which paths of files are relative; may be set to another one between questions.
             jobs: how many processes share the memory that files may take; 0 for one for each processor.
+            idle_s: seconds without a question after which the process ends; 0 for never. The next one starts another.
         """
-        self._root = root
+        self.root = root
         self._jobs = jobs
+        self._idle_s = idle_s
         self._turn = threading.Lock()
         self._process: _Process | None = None
         self._left_out: dict[str, tuple[str, _State]] = {}
@@ -92,6 +95,11 @@ class WatchedReader:
                 ended[subject] = why
                 self._keep({subject: why}, since)
 
+    def start(self) -> None:
+        """Start the process now; it ends with the thread that does."""
+        with self._turn:
+            self._started()
+
     def end(self) -> None:
         """End the process."""
         if self._process is not None and self._process.owner == os.getpid():
@@ -100,8 +108,11 @@ class WatchedReader:
 
     def _started(self) -> _Process:
         # A copy of this process has no reader, and one ends with the thread that started it.
-        if self._process is None or self._process.owner != os.getpid() or not self._process.alive:
-            self._process = _Process(self._jobs)
+        if self._process is not None and self._process.owner == os.getpid() and not self._process.alive:
+            self._process.end()
+            self._process = None
+        if self._process is None or self._process.owner != os.getpid():
+            self._process = _Process(self._jobs, self._idle_s)
         return self._process
 
     def _still_left_out(self) -> dict[str, str]:
@@ -121,7 +132,7 @@ class WatchedReader:
         """Return what changes with a file; what is called after one, such as its program, goes with it."""
         for name in (subject, subject.rpartition(" (")[0]):
             with contextlib.suppress(OSError, ValueError):
-                found = Path(self._root, name).stat() if name else None
+                found = Path(self.root, name).stat() if name else None
                 if found is not None:
                     return found.st_mtime_ns, found.st_size, found.st_ino
         return None
@@ -130,12 +141,16 @@ class WatchedReader:
 class _Process:
     """The process, and who started it."""
 
-    def __init__(self, jobs: int) -> None:
+    def __init__(self, jobs: int, idle_s: float) -> None:
         self.owner = os.getpid()
         self._slot = Slot(shared=True)
         handed = self._slot.descriptor
         self._process = subprocess.Popen(
-            python_words(sys.executable, _START.format(parent=self.owner, slot=handed, jobs=jobs), path=sys.path),
+            python_words(
+                sys.executable,
+                _START.format(parent=self.owner, slot=handed, jobs=jobs, idle=idle_s),
+                path=sys.path,
+            ),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             cwd=NEUTRAL,
@@ -195,15 +210,23 @@ def _end(process: subprocess.Popen[bytes], owner: int) -> None:
             stream.close()
 
 
-def answer(slot: int | None, jobs: int) -> None:
-    """Answer questions on standard input, until it is closed; what is printed meanwhile goes to standard error."""
+def answer(slot: int | None, jobs: int, idle_s: float) -> None:
+    """Answer questions on standard input, until it is closed or none comes for so many seconds (0: however long).
+
+    What is printed meanwhile goes to standard error.
+    """
     answers = os.dup(1)
     os.dup2(2, 1)
     share_memory(jobs)
     if slot is not None:
         watch(Slot.at(slot))
-    while body := _read(0):
+    while _is_asked(idle_s) and (body := _read(0)):
         _write(answers, _answered(body, answers))
+
+
+def _is_asked(idle_s: float) -> bool:
+    # Elsewhere a pipe cannot be waited for: there it ends with the process that asks.
+    return not idle_s or os.name != "posix" or bool(select.select([0], [], [], idle_s)[0])
 
 
 def _answered(body: bytes, answers: int) -> bytes:

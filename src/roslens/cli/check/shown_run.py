@@ -63,7 +63,7 @@ def shown_run(options: argparse.Namespace, progress: FinishedProgress) -> Iterat
     # Not in memory: pages are written and served by several readers at once.
     with ScratchFolder("run") as folder:
         kept = Path(folder, STORE)
-        given = (asked, root, admitted_by(options, find_configuration(root, None)), dict(os.environ), kept, begun)
+        given = (asked, root, admitted_by(options, find_configuration(root, None), root), dict(os.environ), kept, begun)
         if is_watched():
             run = _analysed_into(progress, *given)
         else:

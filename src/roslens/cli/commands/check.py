@@ -129,7 +129,7 @@ def run(options: argparse.Namespace) -> int:
     _refuse_jobs(options.jobs)
     missing = _fetch(options)
     root = root_of(options.paths)
-    configuration = admitted_by(options, find_configuration(root, options.config))
+    configuration = admitted_by(options, find_configuration(root, options.config), root)
     refuse_others(options)
     refuse_contradictions(options)
     if options.undo_fix:

@@ -109,7 +109,7 @@ def _of_runs(options: argparse.Namespace) -> int:
     from roslens.model.finding import Severity
 
     root = workspace_root(options.path or ".")
-    settings = settings_of(options, admitted_by(options, find_configuration(root, options.config)), os.environ)
+    settings = settings_of(options, admitted_by(options, find_configuration(root, options.config), root), os.environ)
     with named_runs(root, settings) as runs:
         before, after = runs.find(options.before), runs.find(options.after)
         found = run_difference(_side(before), _side(after), renamed_between(root, before.commits, after.commits))

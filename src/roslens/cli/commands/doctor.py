@@ -169,7 +169,8 @@ def _configuration(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
 
-    configuration = admitted_by(options, find_configuration(Path(options.path).resolve(), options.config))
+    looked_at = Path(options.path).resolve()
+    configuration = admitted_by(options, find_configuration(looked_at, options.config), looked_at)
     yield "ok", f"configuration: {configuration.path or 'defaults (no roslens.toml)'}"
     base = Path(configuration.base or ".")
     found = discover_plugins(configuration.source, base)

@@ -42,7 +42,8 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.workplace.configuration import find_configuration
     from roslens.model.errors import UsageError
 
-    configuration = admitted_by(options, find_configuration(Path(options.path).resolve(), options.config))
+    looked_at = Path(options.path).resolve()
+    configuration = admitted_by(options, find_configuration(looked_at, options.config), looked_at)
     models, quantities, rules = known(configuration)
     wanted = options.id
     if wanted in models:

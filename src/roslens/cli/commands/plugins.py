@@ -35,7 +35,8 @@ def run(options: argparse.Namespace) -> int:
     from roslens.source.plugin_stage import discover_plugins
 
     root = str(Path(options.path).resolve())
-    configuration = admitted_by(options, find_configuration(Path(options.path).resolve(), options.config))
+    looked_at = Path(options.path).resolve()
+    configuration = admitted_by(options, find_configuration(looked_at, options.config), looked_at)
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     if options.format == "json":
         print(_document(found, root))

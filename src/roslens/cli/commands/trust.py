@@ -38,23 +38,24 @@ def run(options: argparse.Namespace) -> int:
 
     from roslens.cli.workplace.configuration import find_configuration
     from roslens.cli.workplace.tool_settings import settings_files, trust_settings
-    from roslens.cli.workplace.trust import code_of, folder_of, hash_of, revoke, trust
+    from roslens.cli.workplace.trust import code_of, hash_of, place_of, revoke, trust
 
-    configuration = find_configuration(Path(options.path).resolve(), options.config)
-    where = configuration.path or f"{Path(options.path).resolve()} (no roslens.toml)"
+    root = Path(options.path).resolve()
+    configuration = find_configuration(root, options.config)
+    where = configuration.path or f"{root} (no roslens.toml)"
     if options.revoke:
-        print(f"{where}: {'no longer trusted' if revoke(configuration, os.environ) else 'was not trusted'}")
+        print(f"{where}: {'no longer trusted' if revoke(configuration, os.environ, root) else 'was not trusted'}")
         return 0
-    code, files = code_of(configuration), settings_files(folder_of(configuration))
+    code, files = code_of(configuration), settings_files(place_of(configuration, root))
     if not (code or files):
         print(f"{where} names no program, and there are no settings files of tools: nothing of it runs")
         return 0
     if options.list:
-        state = "trusted" if _is_trusted(configuration, code, files) else "not trusted"
+        state = "trusted" if _is_trusted(configuration, code, files, root) else "not trusted"
     else:
         if code:
             trust(configuration, os.environ)
-        trust_settings(configuration, os.environ)
+        trust_settings(configuration, os.environ, root)
         state = "trusted from now on, until one of them changes"
     print(f"{where}: {state}")
     for name in (*code, *files):
@@ -64,13 +65,13 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _is_trusted(configuration: Configuration, code: Sequence[str], files: tuple[str, ...]) -> bool:
+def _is_trusted(configuration: Configuration, code: Sequence[str], files: tuple[str, ...], root: Path) -> bool:
     """Return whether everything that would run, and settings that tools would read, is trusted as it is now."""
     import os
 
     from roslens.cli.workplace.tool_settings import hash_of_settings
-    from roslens.cli.workplace.trust import folder_of, is_trusted, read_trusted
+    from roslens.cli.workplace.trust import is_trusted, place_of, read_trusted
 
     if code and not is_trusted(configuration, os.environ):
         return False
-    return not files or read_trusted(os.environ).settings.get(folder_of(configuration)) == hash_of_settings(files)
+    return not files or read_trusted(os.environ).settings.get(place_of(configuration, root)) == hash_of_settings(files)

@@ -62,7 +62,7 @@ def analyse_past(options: argparse.Namespace, root: Path) -> int:
     from roslens.cli.workplace.trust_option import admitted_by
 
     every = every_of(options.every)
-    settings = settings_of(options, admitted_by(options, find_configuration(root, options.config)), os.environ)
+    settings = settings_of(options, admitted_by(options, find_configuration(root, options.config), root), os.environ)
     progress = progress_for(options)
     with past_runs(root, settings) as runs:
         chosen = runs.states.chosen(every, since_s=since_of(options.since, runs.states))

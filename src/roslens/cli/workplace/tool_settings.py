@@ -7,7 +7,7 @@ that the user names runs without them until they are trusted, for the folder and
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -15,7 +15,7 @@ from pathlib import Path
 import msgspec
 
 from roslens.cli.workplace.configuration import Configuration
-from roslens.cli.workplace.trust import content_of, folder_of, read_trusted, write_trusted
+from roslens.cli.workplace.trust import content_of, place_of, read_trusted, write_trusted
 from roslens.intake.is_there import is_file
 
 _LEFT_OUT = frozenset({".git", ".hg", ".svn", ".roslens", "node_modules", "__pycache__"})
@@ -24,15 +24,36 @@ _MOST_FILES = 10_000
 
 
 def settings_files(folder: str) -> tuple[str, ...]:
-    """Return the settings files of all tools in a folder, those below it and those above it; links are not followed."""
+    """Return the settings files of all tools in a folder, those below it and those above it.
+
+    Links to folders are followed as in the search for packages: each folder once, and none that is around ``folder``.
+    """
     names = _names()
     found: list[str] = []
-    for place, folders, files in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name not in _LEFT_OUT)
-        found += (os.path.join(place, name) for name in names.intersection(files))  # noqa: PTH118 - no Path a file
+    visited: set[str] = set()
+    pending = [folder]
+    while pending:
+        for place, folders, files in os.walk(pending.pop()):
+            if place in visited:
+                folders.clear()
+                continue
+            visited.add(place)
+            folders[:] = sorted(name for name in folders if name not in _LEFT_OUT)
+            found += (os.path.join(place, name) for name in names.intersection(files))  # noqa: PTH118 - no Path a file
+            pending += _linked(place, folders, folder)
     for above in Path(folder).parents:
         found += (str(above / name) for name in sorted(names) if is_file(above / name))
     return tuple(sorted(found))
+
+
+def _linked(place: str, names: Iterable[str], start: str) -> Iterator[str]:
+    """Yield the folders that links in a folder lead to, but for those around the one where the search starts."""
+    for name in names:
+        path = os.path.join(place, name)  # noqa: PTH118 - no Path a folder
+        if os.path.islink(path):  # noqa: PTH114
+            real = os.path.realpath(path)
+            if not (start + os.sep).startswith(real.rstrip(os.sep) + os.sep):
+                yield real
 
 
 def hash_of_settings(files: tuple[str, ...]) -> str:
@@ -43,9 +64,9 @@ def hash_of_settings(files: tuple[str, ...]) -> str:
     return digest.hexdigest()
 
 
-def trust_settings(configuration: Configuration, environment: Mapping[str, str]) -> tuple[str, ...]:
+def trust_settings(configuration: Configuration, environment: Mapping[str, str], root: Path) -> tuple[str, ...]:
     """Trust the settings files of tools of a workspace as they are now, and return them."""
-    folder = folder_of(configuration)
+    folder = place_of(configuration, root)
     files = settings_files(folder)
     trusted = read_trusted(environment)
     settings = {key: value for key, value in trusted.settings.items() if key != folder}
@@ -60,6 +81,7 @@ def with_settings_files(
     *,
     given: bool,
     environment: Mapping[str, str],
+    root: Path,
     ask: Callable[[str], bool] | None = None,
     tell: Callable[[str], None],
 ) -> Configuration:
@@ -69,6 +91,7 @@ def with_settings_files(
         configuration: with what the user lets run.
         given: whether the command line declares the workspace trusted.
         environment: of this process, for where the user's own files are.
+        root: the folder that is looked at.
         ask: asks the user; None if there is no one to ask.
         tell: hears which files do not count.
 
@@ -76,7 +99,7 @@ def with_settings_files(
         UsageError: what the user trusts cannot be read.
     """
     if not given:
-        folder = folder_of(configuration)
+        folder = place_of(configuration, root)
         files = settings_files(folder)
         if len(files) > _MOST_FILES:
             tell(f"{len(files):,} settings files of tools below {folder} are not used: at most {_MOST_FILES:,} are")
@@ -87,7 +110,7 @@ def with_settings_files(
             if ask is None or not ask(question):
                 tell(f"tools run without settings files of the workspace until `roslens trust`: {_few(files, folder)}")
                 return configuration
-            trust_settings(configuration, environment)
+            trust_settings(configuration, environment, root)
     tools = msgspec.structs.replace(configuration.source.tools, own_settings=True)
     source = msgspec.structs.replace(configuration.source, tools=tools)
     return msgspec.structs.replace(configuration, source=source)

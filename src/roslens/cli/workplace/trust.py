@@ -151,11 +151,11 @@ def trust(configuration: Configuration, environment: Mapping[str, str]) -> None:
     write_trusted(msgspec.structs.replace(trusted, folders=folders), environment)
 
 
-def revoke(configuration: Configuration, environment: Mapping[str, str]) -> bool:
+def revoke(configuration: Configuration, environment: Mapping[str, str], root: Path) -> bool:
     """Trust it no more; return whether it was trusted in any state."""
     trusted = read_trusted(environment)
     folders, settings = dict(trusted.folders), dict(trusted.settings)
-    known = [held.pop(folder_of(configuration), "") for held in (folders, settings)]
+    known = [folders.pop(folder_of(configuration), ""), settings.pop(place_of(configuration, root), "")]
     write_trusted(Trusted(folders, settings), environment)
     return any(known)
 
@@ -163,6 +163,15 @@ def revoke(configuration: Configuration, environment: Mapping[str, str]) -> bool
 def folder_of(configuration: Configuration) -> str:
     """Return the folder that trust in a configuration is given for."""
     return os.path.realpath(configuration.base or ".")
+
+
+def place_of(configuration: Configuration, root: Path) -> str:
+    """Return the folder that trust in settings of tools is given for, where ``root`` is looked at.
+
+    It is that of the configuration, unless this is one of the user's own that lies elsewhere.
+    """
+    folder, real = folder_of(configuration), os.path.realpath(root)
+    return folder if (real + os.sep).startswith(folder.rstrip(os.sep) + os.sep) else real
 
 
 def admitted(

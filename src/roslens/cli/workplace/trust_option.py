@@ -6,6 +6,8 @@ import argparse
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from roslens.cli.workplace.configuration import Configuration
 
 
@@ -19,10 +21,10 @@ def add_trust_argument(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def admitted_by(options: argparse.Namespace, configuration: Configuration) -> Configuration:
+def admitted_by(options: argparse.Namespace, configuration: Configuration, root: Path) -> Configuration:
     """Return the configuration with what the user lets run, asked on the terminal if need be.
 
-    Where tools are used, it is also said whether they read their settings files.
+    Where tools are used, it is also said whether they read their settings files in ``root``, the folder looked at.
 
     Raises:
         UsageError: what the user trusts cannot be read.
@@ -40,7 +42,7 @@ def admitted_by(options: argparse.Namespace, configuration: Configuration) -> Co
         found = _admitted(options, configuration)
     given = getattr(options, "tools", None)
     if (given and given != ["none"]) or (not given and found.source.tools.use):
-        return _with_settings_files(options, found)
+        return _with_settings_files(options, found, root)
     return found
 
 
@@ -59,7 +61,7 @@ def _admitted(options: argparse.Namespace, configuration: Configuration) -> Conf
     return found
 
 
-def _with_settings_files(options: argparse.Namespace, configuration: Configuration) -> Configuration:
+def _with_settings_files(options: argparse.Namespace, configuration: Configuration, root: Path) -> Configuration:
     import os
 
     from roslens.cli.workplace.tool_settings import with_settings_files
@@ -69,6 +71,7 @@ def _with_settings_files(options: argparse.Namespace, configuration: Configurati
         configuration,
         given=bool(getattr(options, "trust", False)),
         environment=os.environ,
+        root=root,
         ask=asked_on_terminal(quiet=bool(getattr(options, "quiet", False))),
         tell=_tell,
     )

@@ -50,6 +50,7 @@ def create_app(
     *,
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
+    why: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph,
     past: Past | None = None,
     board: Board | None = None,
@@ -66,6 +67,7 @@ def create_app(
         names: further host names that it answers to.
         snapshot: returns the newest snapshot of what runs, for a live page beside the others.
         detail: returns all that is known of one of its entities.
+        why: returns why one of its entities is as it is.
         graph: returns its computation graph as JSON.
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
@@ -126,6 +128,7 @@ def create_app(
             snapshot,
             facts,
             detail=detail,
+            why=why,
             graph=graph,
             past=past,
             board=board,
@@ -205,6 +208,7 @@ def serve(
     ready: Callable[[str], None] = lambda _: None,
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
+    why: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph,
     past: Past | None = None,
     board: Board | None = None,
@@ -223,6 +227,7 @@ def serve(
         ready: called with the address of the first page once connections are accepted.
         snapshot: returns the newest snapshot of what runs, for a live page; called from this thread.
         detail: returns all that is known of one of its entities; called from this thread too.
+        why: returns why one of its entities is as it is; called from a thread of its own.
         graph: returns its computation graph as JSON; called from this thread too.
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
@@ -248,7 +253,7 @@ def serve(
 
     names = frozenset({host.lower()})
     app = create_app(
-        site, names, snapshot=snapshot, detail=detail, graph=graph, past=past, board=board,
+        site, names, snapshot=snapshot, detail=detail, why=why, graph=graph, past=past, board=board,
         state=state, sight=sight, further=further, stopped=lambda: bool(stopping), access=access,
     )  # fmt: skip
     local, free = (

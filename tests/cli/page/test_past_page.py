@@ -18,9 +18,9 @@ def snapshot(text):
 
 
 def blamed(alert):
-    """Return an alert without its evidence, which is that of when it began, not of every second since."""
+    """Return an alert without its evidence, which is that of when it began, and its reason, which is told of now."""
     follows = tuple(map(blamed, alert.follows))
-    return msgspec.structs.replace(alert, evidence="", follows=follows)
+    return msgspec.structs.replace(alert, evidence="", why="", follows=follows)
 
 
 def reported(found, *, values=False):

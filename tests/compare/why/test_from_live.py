@@ -163,3 +163,12 @@ def test_a_node_on_simulated_time_without_a_clock_is_the_cause():
     assert cause(observed(publisher(), subscription(), clock, told)) is None
     of_another = Endpoint("/viewer", Role.SUBSCRIPTION, "/clock", "rosgraph_msgs/msg/Clock")
     assert cause(observed(publisher(), subscription(), of_another)) is None
+
+
+def test_that_source_has_not_what_is_seen_is_no_cause():
+    ends = (Endpoint("/camera", Role.PUBLISHER, "/image"), Endpoint("/viewer", Role.SUBSCRIPTION, "/image"))
+    question = Question("topic", "/image")
+    found = answer(question, source(), None, observed(*ends))
+    assert found.cause is None
+    assert [one.state for one in found.steps if one.of == "source"] == [StepState.UNSEEN]
+    assert cause(observed(ends[1]), source(), question).asks is Asks.MADE

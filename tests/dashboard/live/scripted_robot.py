@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslens.cli.page.watch_page import PageSource
+from roslens.cli.page.why_page import WhyPage
 from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.live.agent.ros_environments import RosEnvironments
 from roslens.live.join.session import Session
 from roslens.live.past.keeper import in_memory
 from roslens.live.window.signals import BY_KEY
@@ -79,6 +81,10 @@ class ScriptedRobot:
         self._graph: Graph | None = None
         self._asked = 0.0
         self.page = PageSource("rover", clock=written, live=True, steady=self._steady)
+        # Whatever else runs on the machine of the test.
+        self.page.why = WhyPage(
+            lambda: self.page.looked, steady=self._steady, live=True, processes=RosEnvironments, environment={}
+        )
         self.keeper = in_memory(self.session)
         self.page.remember(self.keeper.recall())
         self.run(6)

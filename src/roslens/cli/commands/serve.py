@@ -99,6 +99,7 @@ def _serve(options: argparse.Namespace) -> int:
     from roslens.cli.conformance.shown_sides import against, shown_sides
     from roslens.cli.graph.read_beside import site_at_once
     from roslens.cli.past.shown_past import shown_past
+    from roslens.cli.served.declared_beside import declared_beside
     from roslens.cli.served.last_change import last_change_in
     from roslens.cli.served.reviewing import reviewing_of
     from roslens.cli.served.source_grounds import source_grounds
@@ -137,6 +138,7 @@ def _serve(options: argparse.Namespace) -> int:
         with _beside(options, site.name, questions) as (page, further):
             if page:
                 page.draw_on(source_grounds(site))
+                page.why.declared = declared_beside(site, options.path)
             # A page that waited for minutes would show nothing, and block all others.
             view.wait_at_most(PATIENCE_S)
             sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=options.bag or ())
@@ -148,6 +150,7 @@ def _serve(options: argparse.Namespace) -> int:
                 ready=ready,
                 snapshot=page.newest if page else None,
                 detail=page.detail if page else nothing,
+                why=page.why.page if page else nothing,
                 graph=page.graph if page else no_graph,
                 past=page.past if page else None,
                 board=page.board if page else None,

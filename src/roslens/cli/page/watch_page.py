@@ -16,6 +16,7 @@ from roslens.cli.page.row_list import RowList, shown_name, shown_text
 from roslens.cli.page.topics_seen import topics_seen
 from roslens.cli.page.watch_detail import detail_of
 from roslens.cli.page.watch_graph import GraphPicture
+from roslens.cli.page.why_page import WhyPage
 from roslens.dashboard.live.sight import Seen, Sight
 from roslens.dashboard.live.snapshot import Happening, Snapshot
 from roslens.judge.reference.expectation import Reference
@@ -52,6 +53,7 @@ class PageSource:
         sight: what readers see.
         past: of what is shown; None where nothing is kept.
         board: its references, and notes on its alerts.
+        why: answers why something of it is as it is.
     """
 
     def __init__(
@@ -92,6 +94,7 @@ class PageSource:
         self._looked: Looked | None = None
         self._recall: Recall | None = None
         self.past: PastPage | None = None
+        self.why = WhyPage(lambda: self._looked, steady=steady, live=live)
         self.board = BoardPage(lambda: self._looked, lambda: self._recall, handled or HandledAlerts(None), clock)
 
     def draw_on(self, grounds: Callable[[Collection[str]], Grounds | None]) -> None:
@@ -145,6 +148,11 @@ class PageSource:
         return msgspec.json.encode(found) if found is not None else b""
 
     @property
+    def looked(self) -> Looked | None:
+        """The newest look at the system; None before the first."""
+        return self._looked
+
+    @property
     def whole(self) -> Graph | None:
         """The computation graph as of the newest snapshot; None before the first."""
         return self._looked.graph if self._looked is not None else None
@@ -156,6 +164,7 @@ class PageSource:
 
     def take(self, step: Step) -> None:
         """Remember what happened in a step."""
+        self.why.take(step)
         self._happened.extend(self._of_step(step))
         self._failures.extend(shown_text(str(failure)) for failure in step.failures)
 
@@ -182,8 +191,9 @@ class PageSource:
         if draw:
             self._drawn = begun
         # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
-        self._shown = self._snapshot(looked, cost, draw=draw)
+        found = self._snapshot(looked, cost, draw=draw)
         self._looked = looked
+        self._shown = msgspec.structs.replace(found, alerts=self.why.told(found.alerts))
         # What was not used is kept for one snapshot: the more of them, the less there is to do for each.
         # What the slowest pace leaves over is forgiven: who asked for everything once does not pay for it for long.
         self._debt = max(min(self._debt, 0.0), -_SAVED_S) + self._spent() - spent

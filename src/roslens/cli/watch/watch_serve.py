@@ -59,7 +59,7 @@ def serve(
     page = LivePage(
         source.newest, detail=source.detail, graph=source.graph, past=source.past, board=source.board,
         state=source.state, sight=source.sight,
-        host=host, port=port, access=access, tls=tls, further=further,
+        host=host, port=port, access=access, tls=tls, further=further, why=source.why.page,
     )  # fmt: skip
     print(f"roslens: {door.address(page.url) if door else page.url}", file=sys.stderr, flush=True)
     return page

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+
+import msgspec
 
 from roslens.compare.why.declared import MAKERS, Declared, known_names
 from roslens.compare.why.from_live import steps_of_live
@@ -44,6 +46,7 @@ def answer(
         steps += steps_of_recording(question, recorded, declared)
     if declared is not None:
         steps += steps_of_source(question, declared)
+    steps = list(_of_what_is_there(steps))
     if not steps:
         raise UsageError(
             f'nothing that was looked at tells of {question.kind} "{question.name}"',
@@ -57,6 +60,14 @@ def answer(
     notes += recorded.failures if recorded is not None else ()
     notes += declared.failures if declared is not None else ()
     return Answer(question.entity, tuple(looked_at), in_order(tuple(steps)), notes)
+
+
+def _of_what_is_there(steps: Sequence[Step]) -> Iterator[Step]:
+    """Yield steps; that source does not have what was seen is no cause: it may be of another workspace."""
+    seen = {one.asks for one in steps if one.of in ("live", "recording") and one.state is StepState.OK}
+    for one in steps:
+        is_refuted = one.of == "source" and one.asks in (Asks.EXISTS, Asks.MADE) and one.asks in seen
+        yield msgspec.structs.replace(one, state=StepState.UNSEEN) if is_refuted and one.state is StepState.NOT else one
 
 
 def _unseen(question: Question, told: set[Asks], *, live: bool) -> Iterator[Step]:

@@ -14,7 +14,7 @@ from roslens.compare.why.simulated_clock import clock_missing
 from roslens.model.answers.answer import Asks, Step, StepState
 from roslens.model.configuration import ConfiguredNode
 from roslens.model.graph import Endpoint, Node, Role
-from roslens.model.graphs.end import KIND, VERB
+from roslens.model.graphs.end import KIND, VERB, verb_of
 
 _MOST = 6
 _NOT_ACTIVE = {
@@ -42,8 +42,7 @@ def _of_ends(question: Question, observed: Observed, declared: Declared | None) 
     yield _exists(question, ends, observed)
     users = [one for one in ends if one.role is not MAKERS[question.kind]]
     if users:
-        names = ", ".join(dict.fromkeys(one.node for one in users[:_MOST]))
-        yield Step(Asks.USED, StepState.OK, f"{names} {VERB[users[0].role]} it", "live")
+        yield Step(Asks.USED, StepState.OK, _who_does(users), "live")
     runs, missing = _runs([one.node for one in makers], wanted, observed)
     apart = reached(observed, _programs(missing), question.name)
     instead = made_instead(question, wanted, observed)
@@ -94,8 +93,7 @@ def _makers(question: Question, makers: Sequence[Endpoint], observed: Observed, 
     if makers:
         nodes = {one.name: one for one in observed.graph.nodes}
         lines = tuple(_place(one.node, nodes.get(one.node)) for one in makers[:_MOST])
-        names = ", ".join(dict.fromkeys(one.node for one in makers[:_MOST]))
-        return Step(Asks.MADE, StepState.OK, f"{names} {VERB[makers[0].role]} it", "live", lines)
+        return Step(Asks.MADE, StepState.OK, _who_does(makers), "live", lines)
     verb = VERB[MAKERS[question.kind]]
     role = MAKERS[question.kind]
     near = near_names(question.name, {one.name for one in observed.graph.endpoints if one.role is role})
@@ -109,6 +107,11 @@ def _makers(question: Question, makers: Sequence[Endpoint], observed: Observed, 
     how = f"start what {verb} it"
     how += f"; names alike that somebody {verb}: {', '.join(near)}" if near else ""
     return Step(Asks.MADE, StepState.NOT, f"no node that runs {verb} it", "live", how=how)
+
+
+def _who_does(ends: Sequence[Endpoint]) -> str:
+    names = list(dict.fromkeys(one.node for one in ends))[:_MOST]
+    return f"{', '.join(names)} {verb_of(ends[0].role, len(names))} it"
 
 
 def _place(name: str, node: Node | None) -> str:
@@ -127,16 +130,13 @@ def _runs(
     for one in missing[:_MOST]:
         ended = next((other for other in observed.ended if other.node == one.name), None)
         if ended is not None:
-            steps.append(
-                Step(
-                    Asks.RUNS, StepState.NOT, f"{one.name} ended: {ended.how or 'how is not known'}", "live", ended.said
-                )
-            )
+            says, lines = f"{one.name} ended: {ended.how or 'how is not known'}", ended.said
         else:
             says = f"{one.name}, which should make it, does not run or is not seen"
             lines = (f"{one.package}/{one.executable}, started at {one.proof.place}",)
-            steps.append(Step(Asks.RUNS, StepState.NOT, says, "live", lines, "start it, or look at its log",
-                              f"ros2 run {one.package} {one.executable}" if one.package else ""))  # fmt: skip
+        run = "ros2 run" if observed.graph.generation != "ros1" else "rosrun"
+        steps.append(Step(Asks.RUNS, StepState.NOT, says, "live", lines, "start it, or look at its log",
+                          f"{run} {one.package} {one.executable}" if one.package else ""))  # fmt: skip
     there = [nodes[name] for name in dict.fromkeys((*makers, *(one.name for one in wanted))) if name in nodes]
     for node in there:
         steps += _state_of(node)
@@ -165,7 +165,7 @@ def _state_of(node: Node) -> Iterator[Step]:
 def _traffic(question: Question, observed: Observed, *, has_makers: bool) -> Iterator[Step]:
     values = observed.values.get(question.entity, {})
     rate, received = values.get("rate"), values.get("rate_received")
-    during = f"in {observed.seconds:.1f} s"
+    during = f"in {observed.seconds:.1f} s" if observed.seconds else "lately"
     if rate is None:
         if has_makers:
             yield Step(Asks.SENT, StepState.UNSEEN, f"what is sent was not counted {during}", "live",

@@ -10,7 +10,7 @@ from roslens.compare.why.declared import MAKERS, Declared, ends_named, ends_of, 
 from roslens.compare.why.question import Question, near_names
 from roslens.model.answers.answer import Asks, Step, StepState
 from roslens.model.graph import Role
-from roslens.model.graphs.end import KIND, VERB, End
+from roslens.model.graphs.end import KIND, VERB, End, verb_of
 
 _MOST = 6
 _USERS = {Role.PUBLISHER: Role.SUBSCRIPTION, Role.SERVICE_SERVER: Role.SERVICE_CLIENT,
@@ -61,7 +61,7 @@ def _side(question: Question, declared: Declared, role: Role, asks: Asks) -> Ste
     noun = _NOUN[role]
     if certain:
         names = ", ".join(dict.fromkeys(one.node.name for one in certain))
-        return Step(asks, StepState.OK, f"{names} {VERB[role] if len(certain) == 1 else _several(role)} it", "source",
+        return Step(asks, StepState.OK, f"{names} {verb_of(role, names.count(',') + 1)} it", "source",
                     lines)  # fmt: skip
     if ends:
         needs = " and ".join(f"`{text}`" for text in ends[0].conditions)
@@ -87,10 +87,6 @@ def _side(question: Question, declared: Declared, role: Role, asks: Asks) -> Ste
             tuple(f"{one.proof.place}: {one.reason}" for one in opening[:_MOST]), command=declared.command,
         )  # fmt: skip
     return _nobody(declared, role, asks)
-
-
-def _several(role: Role) -> str:
-    return {"publishes": "publish", "subscribes to": "subscribe to", "serves": "serve", "calls": "call"}[VERB[role]]
 
 
 def _nobody(declared: Declared, role: Role, asks: Asks) -> Step:

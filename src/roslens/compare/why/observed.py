@@ -25,7 +25,7 @@ class Observed(msgspec.Struct, frozen=True):
         title: what was looked at.
         graph: nodes and ends.
         values: latest values by id of an entity and key of a signal.
-        seconds: how long it was looked at.
+        seconds: how long it was looked at; 0 where it is looked at all the time.
         ended: nodes that ended meanwhile.
         failures: what observers could not do, a sentence each.
         processes: of ROS 2 on this host, as far as they can be read.

@@ -31,6 +31,7 @@ from roslens.dashboard.live.sight import Sight
 from roslens.dashboard.live.sight_routes import SightRoutes
 from roslens.dashboard.live.snapshot import Snapshot
 from roslens.dashboard.live.snapshot_stream import SnapshotStream
+from roslens.dashboard.live.why_route import why_route
 from roslens.dashboard.render import TEMPLATES, WEB
 from roslens.model.errors import StoreError
 
@@ -93,7 +94,7 @@ def create_live_app(
     snapshot: Callable[[], bytes], facts: Facts | None = None, *, detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph, past: Past | None = None, board: Board | None = None,
     state: Callable[[], Snapshot | None] | None = None, sight: Sight | None = None,
-    stopped: Callable[[], bool] = lambda: False,
+    stopped: Callable[[], bool] = lambda: False, why: Callable[[str], bytes] = nothing,
 ) -> Starlette:  # fmt: skip
     """Return the application.
 
@@ -108,6 +109,7 @@ def create_live_app(
         state: returns what `snapshot` returns before it is JSON; by default that is read again.
         sight: is given what readers see, where snapshots are made of that.
         stopped: whether streams should end.
+        why: returns as JSON why an entity is as it is, empty where nothing is known. Called from a thread of its own.
     """
     facts = facts or Facts()
     snapshots = SnapshotStream(state or _Read(snapshot))
@@ -166,6 +168,7 @@ def create_live_app(
             Route("/events", events),
             *seeing.routes(),
             Route("/detail.json", about),
+            why_route(why),
             Route("/graph.json", whole),
             *facts.further.routes,
             *(memory.routes() if memory is not None else ()),

@@ -29,7 +29,7 @@ class LivePage:
         graph: Callable[[], bytes] = no_graph, past: Past | None = None, board: Board | None = None,
         state: Callable[[], Snapshot | None] | None = None, sight: Sight | None = None,
         host: str = "127.0.0.1", port: int = 0, access: Access | None = None, tls: Tls | None = None,
-        further: Further | None = None,
+        further: Further | None = None, why: Callable[[str], bytes] = nothing,
     ) -> None:  # fmt: skip
         """Serve what these return; all are called from the server's threads.
 
@@ -46,6 +46,7 @@ class LivePage:
             access: who may view and who may act; by default anyone may view and no one may act.
             tls: certificate and key to encrypt with.
             further: pages beside this one.
+            why: returns why an entity is as it is now.
 
         Raises:
             UsageError: the host is unknown, or the port is taken or not allowed.
@@ -67,6 +68,7 @@ class LivePage:
                     state=state,
                     sight=sight,
                     stopped=self._stopping.is_set,
+                    why=why,
                 ),
                 log_level="error",
                 access_log=False,

@@ -89,6 +89,7 @@ class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
         handled: ``acknowledged`` or ``muted``, if that was noted.
         by: who did.
         until: when muting ends, as people read it.
+        why: the first cause, as `roslens why` tells it; empty where none is known.
     """
 
     key: str
@@ -108,6 +109,7 @@ class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
     handled: str = ""
     by: str = ""
     until: str = ""
+    why: str = ""
 
 
 class Item(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -23,6 +23,7 @@ VERB = {
     Role.ACTION_SERVER: "serves",
     Role.ACTION_CLIENT: "calls",
 }
+_OF_SEVERAL = {"publishes": "publish", "subscribes to": "subscribe to", "serves": "serve", "calls": "call"}
 OTHER = {
     Role.PUBLISHER: Role.SUBSCRIPTION,
     Role.SUBSCRIPTION: Role.PUBLISHER,
@@ -31,6 +32,12 @@ OTHER = {
     Role.ACTION_SERVER: Role.ACTION_CLIENT,
     Role.ACTION_CLIENT: Role.ACTION_SERVER,
 }
+
+
+def verb_of(role: Role, count: int = 1) -> str:
+    """Return what one node does with an end of a role, or several do."""
+    return VERB[role] if count == 1 else _OF_SEVERAL[VERB[role]]
+
 
 Key = tuple[str, str, str, str, str]
 

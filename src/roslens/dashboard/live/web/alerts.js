@@ -108,7 +108,7 @@ export class Alerts {
     return make("div", { class: `alert${alert.severity === "error" ? " grave" : ""}` },
       make("span", { class: "mark" }, sign(alert.state, alert.severity), alert.state),
       name,
-      make("span", { class: "says", title: about.filter(Boolean).join("\n") }, make("bdi", { text: alert.message }), alert.handled ? make("span", { class: "noted", text: ` ${alert.handled} by ${alert.by}${alert.until ? ` until ${alert.until}` : ""}` }) : ""),
+      make("span", { class: "says", title: about.filter(Boolean).join("\n") }, make("bdi", { text: alert.message }), alert.why ? make("span", { class: "why-line" }, "why: ", make("bdi", { text: alert.why })) : "", alert.handled ? make("span", { class: "noted", text: ` ${alert.handled} by ${alert.by}${alert.until ? ` until ${alert.until}` : ""}` }) : ""),
       make("span", { class: "since" }, ...this.tools(alert), time, " ", ...toSource(alert.entity, "source")));
   }
 

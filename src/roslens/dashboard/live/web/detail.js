@@ -3,6 +3,7 @@
 import { make } from "../dom.js";
 import { toSource } from "./source.js";
 import { sign, word } from "./states.js";
+import { Why } from "./why.js";
 
 /** Who does one of these looks where they want to. */
 const BY_HAND = ["wheel", "touchmove", "keydown", "pointerdown"];
@@ -16,7 +17,8 @@ export class Detail {
     Object.assign(this, { element, close, at, plots, grown, entity: "", asked: "", settling: false });
     this.said = make("div", {});
     this.signals = make("div", {});
-    element.replaceChildren(this.said, ...(plots ? [plots.element] : []), this.signals);
+    this.why = new Why(at);
+    element.replaceChildren(this.said, this.why.element, ...(plots ? [plots.element] : []), this.signals);
     // It comes in parts, which push away what stands below.
     new ResizeObserver(() => this.settling && this.grown?.()).observe(element);
     for (const name of BY_HAND) addEventListener(name, () => { this.settling = false; }, { passive: true, capture: true });
@@ -28,6 +30,7 @@ export class Detail {
     this.asked = "";
     this.settling = Boolean(entity);
     this.plots?.show(entity);
+    this.why.clear();
     if (!entity) this.element.hidden = true;
     else this.ask();
   }
@@ -67,6 +70,7 @@ export class Detail {
     this.signals.replaceChildren(
       values.length ? make("details", { open: opened }, make("summary", { text: `Every signal that was sampled (${values.length})` }), table("Signals", ["Signal", "Value", "What it is"], values.map((one) => [one.title, one.shown, one.text]))) : "",
     );
+    this.why.update(about);
     this.element.hidden = false;
     this.element.scrollTop = scrollTop;
     if (focused) shut.focus({ preventScroll: true });

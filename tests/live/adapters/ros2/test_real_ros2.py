@@ -75,6 +75,21 @@ executor.add_node(arm)
 executor.add_node(eye)
 executor.spin()
 """
+TELLS_NO_CHANGES = """
+import rclpy
+from rclpy.parameter import Parameter
+rclpy.init()
+node = rclpy.create_node('quiet', namespace='/demo')
+node.declare_parameter('rate', 10)
+# As a node in C++ does whose option start_parameter_event_publisher is false.
+node.destroy_publisher(node._parameter_event_publisher)
+class Nobody:
+    def publish(self, _):
+        pass
+node._parameter_event_publisher = Nobody()
+node.create_timer(2.0, lambda: node.set_parameters([Parameter('rate', value=90)]))
+rclpy.spin(node)
+"""
 SILENT = """
 import rclpy, time
 rclpy.init()
@@ -246,6 +261,13 @@ def test_nodes_of_one_process_tell_parameters_and_diagnostics(ros2_python, tmp_p
         assert [event.entity for event in reported] == ["node:/demo/eye"]
         shown = [frame.graph.parameters for frame in seen.frames if frame.graph]
         assert "hunter" not in repr((shown, seen.events(), seen.failures))
+
+
+def test_a_parameter_is_followed_whose_node_publishes_no_changes(ros2_python, tmp_path):
+    with robot(ros2_python, tmp_path, codes=[TELLS_NO_CHANGES], names=["/demo/quiet"]) as (seen, _):
+        seen.until(lambda: seen.graph.parameters.get("/demo/quiet", {}).get("rate") == "90")
+        # Where the observer came late, it knew no other value.
+        seen.until(lambda: any("/demo/quiet does not publish /parameter_events" in one.what for one in seen.failures))
 
 
 def test_the_python_is_found(ros2_python):

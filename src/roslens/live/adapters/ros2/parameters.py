@@ -3,6 +3,9 @@
 Nothing here waits. A few nodes are asked at a time, and new ones at a pace: every question is an endpoint that all of
 the system hears of, and the two of a node cost about 15 ms of a core. At 10 nodes a second, 200 nodes take 20 s. A node
 that does not answer, because nobody spins it, has parameters that are unknown; it is asked again twice, a minute apart.
+
+A node without a publisher of ``/parameter_events`` (``start_parameter_event_publisher(false)``) tells no change. It is
+asked again and again, one such node a second at most.
 """
 
 from __future__ import annotations
@@ -13,16 +16,22 @@ from typing import Any, Protocol
 
 import msgspec
 
+from roslens.live.adapters.ros2 import TOOL
 from roslens.live.adapters.ros2.gid import prefix
 from roslens.live.reported.parameter_changes import parameter_events
 from roslens.live.reported.parameter_text import HIDDEN, is_secret, value_text
+from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph, Role
 
+EVENTS = "/parameter_events"
 AT_ONCE = 4
 PACE_S = 0.1
 PATIENCE_S = 5.0
 AGAIN_S = 60.0
 TRIES = 3
+REREAD_S = 10.0
+"""Seconds from an answer until a node that tells no changes is asked anew."""
+REREAD_PACE_S = 1.0
 MOST = 2000
 """Parameters of a node; what is more is left out."""
 _SERVICES = {
@@ -43,7 +52,10 @@ class Asking(Protocol):
 
 
 class _Known(msgspec.Struct):
-    """A node: its processes, by which one that was started again differs, and what it reported."""
+    """A node: its processes, by which one that was started again differs, what it reported, and whether it is silent.
+
+    A silent one does not publish changes of its parameters.
+    """
 
     life: frozenset[str]
     values: dict[str, str] | None = None
@@ -52,6 +64,8 @@ class _Known(msgspec.Struct):
     asking: Asking | None = None
     since: float = 0.0
     stale: bool = False
+    silent: bool = False
+    told: bool = False
 
 
 class Parameters:
@@ -70,8 +84,10 @@ class Parameters:
         self._nodes: dict[str, _Known] = {}
         self._waiting: dict[str, None] = {}
         self._asked: set[str] = set()
-        self._next = 0.0
+        self._next = self._next_reread = 0.0
         self._events: list[Event] = []
+        self._found: list[tuple[str, dict[str, str], dict[str, str]]] = []
+        self._failures: list[Failure] = []
 
     @property
     def busy(self) -> bool:
@@ -81,6 +97,7 @@ class Parameters:
     def follow(self, graph: Graph) -> None:
         """Ask nodes that are new, and forget those that are gone."""
         there = lives(graph)
+        telling = {end.node for end in graph.endpoints if end.name == EVENTS and end.role is Role.PUBLISHER}
         for name in self._nodes.keys() - there.keys():
             self._forget(name)
         for name, life in there.items():
@@ -89,10 +106,11 @@ class Parameters:
                 self._forget(name)
                 known = None
             if known is None:
-                self._nodes[name] = _Known(life)
+                known = self._nodes[name] = _Known(life)
                 self._waiting[name] = None
             elif life:
                 known.life = life
+            known.silent = name not in telling
 
     def _forget(self, name: str) -> None:
         known = self._nodes.pop(name)
@@ -116,11 +134,36 @@ class Parameters:
             self._next = now + PACE_S
 
     def again(self, now: float) -> None:
-        """Put those who did not answer a while ago in line once more."""
+        """Put those who did not answer a while ago in line once more, and of those who tell no changes the next."""
+        silent: list[tuple[float, str]] = []
         for name, known in self._nodes.items():
             if known.due and now >= known.due:
-                known.due = 0.0
-                self._waiting[name] = None
+                if known.values is None:
+                    known.due = 0.0
+                    self._waiting[name] = None
+                elif known.silent:
+                    silent.append((known.due, name))
+                else:
+                    known.due = 0.0
+            elif known.silent and known.values is not None and not known.due and known.asking is None:
+                known.due = now + REREAD_S
+        if silent and now >= self._next_reread:
+            self._next_reread = now + REREAD_PACE_S
+            self._reread(min(silent)[1])
+
+    def _reread(self, name: str) -> None:
+        known = self._nodes[name]
+        known.due = 0.0
+        self._waiting[name] = None
+        if not known.told:
+            known.told = True
+            self._failures.append(
+                Failure(
+                    TOOL, f"{name} does not publish {EVENTS}: changes of its parameters are noticed some seconds late",
+                    "a publisher that tells of each change at once",
+                    "Leave start_parameter_event_publisher as it is by default", entity=f"node:{name}", partial=True,
+                )
+            )  # fmt: skip
 
     def _go_on(self, name: str, known: _Known, now: float) -> None:
         if known.asking is None:
@@ -132,10 +175,15 @@ class Parameters:
         known.asking = None
         self._asked.discard(name)
         if found is None:
-            known.due = now + AGAIN_S if known.tries < TRIES else 0.0
+            known.due = now + AGAIN_S if known.tries < TRIES or known.told else 0.0
+            if known.tries >= TRIES and known.values is not None:
+                # What it said long ago and tells no changes of is not known any more.
+                known.values, self.news = None, True
         elif known.stale and known.tries < TRIES:
             self._waiting[name] = None
         else:
+            if known.values is not None and known.values != found:
+                self._found.append((name, known.values, found))
             self.news |= known.values != found
             known.values, known.tries = found, 0
 
@@ -157,10 +205,18 @@ class Parameters:
         known.values = values
         self.news = True
 
-    def events(self) -> list[Event]:
-        """Return what happened since this was last asked."""
+    def events(self, time: float) -> list[Event]:
+        """Return what happened since this was last asked; what was found by asking anew was found at ``time``."""
         events, self._events = self._events, []
+        for name, before, after in self._found:
+            events += parameter_events(_full(name, before), _full(name, after), time)
+        self._found.clear()
         return events
+
+    def failures(self) -> list[Failure]:
+        """Return what could not be done since this was last asked."""
+        failures, self._failures = self._failures, []
+        return failures
 
     def known(self) -> dict[str, dict[str, str]]:
         """Return values as text by node; a node that reported nothing is not among them."""

@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 
 from roslens.live.adapters.ros2 import TOOL, topic_statistics
-from roslens.live.adapters.ros2.parameters import Parameters, value_of
+from roslens.live.adapters.ros2.parameters import EVENTS, Parameters, value_of
 from roslens.live.adapters.ros2.topic_statistics import TopicStatistics
 from roslens.live.reported.diagnostic_array import ArrayError, read_array
 from roslens.live.reported.parameter_text import value_text
@@ -22,9 +22,8 @@ from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph, Role
 from roslens.model.traffic.tally import Tally
 
-PARAMETERS = "/parameter_events"
 _TYPES = {
-    PARAMETERS: "rcl_interfaces/msg/ParameterEvent",
+    EVENTS: "rcl_interfaces/msg/ParameterEvent",
     DIAGNOSTICS: "diagnostic_msgs/msg/DiagnosticArray",
     topic_statistics.TOPIC: topic_statistics.TYPE,
 }
@@ -100,14 +99,14 @@ class ReportedTopics:
         fresh = Reported()
         for topic in sorted(self._open):
             for message, gid, time in self._messages(topic, now):
-                if topic == PARAMETERS:
+                if topic == EVENTS:
                     self._parameter_event(message, time)
                 elif topic == DIAGNOSTICS:
                     fresh.events += self._diagnostics(message, node_of(gid), time)
                 elif tally := self._statistics.take(message, gid, node_of(gid), time):
                     fresh.tallies.append(tally)
-        fresh.events += self.parameters.events()
-        fresh.failures += [*self._failures, *self._statistics.failures()]
+        fresh.events += self.parameters.events(now)
+        fresh.failures += [*self._failures, *self._statistics.failures(), *self.parameters.failures()]
         self._failures.clear()
         return fresh
 

@@ -7,7 +7,7 @@ from live.time_line import moments
 from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.rate.monitor import Monitor
 from roslens.live.window.signals import BY_KEY
-from roslens.model.traffic.tally import Tally
+from roslens.model.traffic.tally import Observer, Tally
 from roslens.model.verdict import State
 
 TEXT = b"kind: reference\nname: r\nconstraints:\n  - {topic: /big, rate: 8..12 Hz}\n"
@@ -93,3 +93,17 @@ def test_a_subscriber_gets_the_messages_of_all_publishers():
         monitor.tick(second + 1.0)
     values = values_of(monitor, "topic:/big")
     assert (round(values["rate"], 3), round(values["rate_received"], 3)) == (10.0, 10.0)
+
+
+def test_what_the_counters_of_a_publisher_say_is_its_rate_where_a_subscriber_is_slow():
+    """ROS 1: what is received is counted in the node, what is sent is told by it where nobody gets all of it."""
+    monitor = Monitor(RULES, start=0.0)
+    for second in range(30):
+        if not second % 2:
+            monitor.add_tally(msgspec.structs.replace(received("/slow", second, 1), end=second + 2.0))
+        sent = Tally("/big", "/camera", "", float(second), second + 1.0, 10, observer=Observer.PROTOCOL)
+        monitor.add_tally(sent)
+        monitor.tick(second + 1.0)
+    (verdict,) = monitor.standing()
+    assert (verdict.state, verdict.value) == (State.OK, 10.0)
+    assert "; sent at this rate, received at" in verdict.evidence

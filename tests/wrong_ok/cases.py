@@ -13,6 +13,7 @@ from wrong_ok.judged import (
     second_publisher_of_another_type,
     second_publisher_of_another_type_ros1,
     starved_subscriber,
+    starved_subscriber_ros1,
     twins,
 )
 from wrong_ok.line_cut import cut_line
@@ -22,6 +23,7 @@ from wrong_ok.reacted import clock_jumps, container, crashes, operator_stops, st
 CASES: dict[str, Case] = {
     "two nodes of one name": twins,
     "a subscriber takes every 13th message": starved_subscriber,
+    "a subscriber takes every 13th message (ROS 1)": starved_subscriber_ros1,
     "traffic of another domain, beside a participant without ROS": other_domain,
     "a server is killed, its client goes on": client_without_server,
     "an exact value with a margin is right again": exact_value,

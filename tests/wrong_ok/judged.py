@@ -42,6 +42,32 @@ def starved_subscriber(scene: Scene) -> list[str]:
     return _is(watch, "topic:/big", "loss", "ok" not in states and states[-1:] == ["high"])
 
 
+def starved_subscriber_ros1(scene: Scene) -> list[str]:
+    """A subscriber of ROS 1 that takes every 13th message: what is sent is right, what it receives is not."""
+    scene.master()
+    scene.node_ros1("beats", "fast", "/big", "10", "point")
+    slow = scene.node_ros1("hears", "slow", "/big", "1.3")
+    watch = scene.watch(
+        "defaults: {for: 2 s, margin: 5 %}\n"
+        "constraints:\n"
+        "  - {topic: /big, rate: 8..12 Hz, rate_received: 8..12 Hz, loss: <= 10 %}\n"
+    )  # fmt: skip
+    big = "topic:/big"
+    watch.comes_to((big, "rate", "ok"), (big, "rate_received", "low"), (big, "loss", "high"))
+    slow.says("took", 4)
+    watch.until(lambda _: False, 0.0)
+    return [
+        *_is(watch, big, "rate", "low" not in watch.states(big, "rate")),
+        *_is(watch, big, "rate_received", _never_ok(watch, big, "rate_received", "low")),
+        *_is(watch, big, "loss", _never_ok(watch, big, "loss", "high")),
+    ]
+
+
+def _never_ok(watch: Lines, entity: str, quantity: str, state: str) -> bool:
+    states = watch.states(entity, quantity)
+    return "ok" not in states and states[-1:] == [state]
+
+
 def other_domain(scene: Scene) -> list[str]:
     """Traffic of another domain, beside a participant without ROS in the one that is watched."""
     scene.node("beats", "driver", "/beat", "10", ROS_DOMAIN_ID=own_domain())

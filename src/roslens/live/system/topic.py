@@ -13,6 +13,7 @@ from roslens.live.window.signals import ENDS, RECEIVED, SUMMED
 from roslens.live.window.traffic import measured
 from roslens.live.window.window import MAX_BUCKETS, Window
 from roslens.model.entity import EntityId, EntityKind
+from roslens.model.traffic.tally import Observer
 
 _WIDEST = frozenset({"jitter", "largest_gap"})
 _OF_PUBLISHERS = SUMMED | _WIDEST | {"period", "message_size"}
@@ -203,10 +204,13 @@ def _best(group: Sequence[Connection], at: int) -> list[tuple[Connection, Window
     return [min(seen, key=_quality)] if len(seen) > 1 else seen
 
 
-def _quality(seen: tuple[Connection, Window]) -> tuple[bool, bool, int, bool, float]:
+def _quality(seen: tuple[Connection, Window]) -> tuple[bool, bool, bool, int, bool, float]:
     connection, window = seen
     quiet = window.horizon > window.until
-    return connection.left, quiet, RANK[window.observer], bool(connection.subscriber), -window.count
+    received = bool(connection.subscriber)
+    # What its counters say that it sends is told where nobody receives all of it.
+    counted = not received and window.observer is Observer.PROTOCOL
+    return connection.left, quiet, not counted, RANK[window.observer], received, -window.count
 
 
 def _joined(key: str, signals: Iterable[tuple[float | None, Window | None]]) -> tuple[float | None, Window | None]:

@@ -102,3 +102,70 @@ def test_counters_of_32_bits_go_on_after_their_end(before, growth):
 @pytest.mark.parametrize(("before", "after", "found"), [(5, 9, 4), (5, 5, 0), (5, 4, None)])
 def test_counters_that_do_not_wrap(before, after, found):
     assert grown(before, after, wraps=False) == found
+
+
+def rounds(bus, seconds, sent, received, skew=0.0):
+    """Return the tallies of rounds of half a second at these rates; the receiving end is read so much later."""
+    found = []
+    for turn in range(int(2 * seconds) + 1):
+        time = turn / 2
+        readings = [talker(time, int(time * sent)), listener(time + skew, int((time + skew) * received))]
+        found.append({tally.subscriber: tally.count for tally in bus.tallies(readings, HOMES)})
+    return found
+
+
+def test_what_is_sent_is_told_where_nobody_receives_nearly_all_of_it():
+    found = rounds(Bus(), 10, sent=10, received=0.77)
+    # It takes a while to find out.
+    assert {} in found[:1]
+    assert all(one.keys() == {"/listener"} for one in found[1:4])
+    assert [one[""] for one in found[5:]] == [5] * 16
+    assert sum(one["/listener"] for one in found[1:]) == 7
+
+
+@pytest.mark.parametrize("skew", [0.0, 0.1, -0.1])
+@pytest.mark.parametrize("hertz", [1, 10, 1000])
+def test_what_arrives_as_it_is_sent_is_told_once(hertz, skew):
+    found = rounds(Bus(), 30, sent=hertz, received=hertz, skew=skew)
+    assert all(one.keys() <= {"/listener"} for one in found)
+
+
+def test_it_is_told_no_more_once_all_arrives_again():
+    bus = Bus()
+    rounds(bus, 10, sent=10, received=1)
+    before = {end: int(10 * rate) for end, rate in (("sent", 10), ("received", 1))}
+    told = []
+    for turn in range(1, 80):
+        more = 5 * turn
+        readings = [talker(10 + turn / 2, before["sent"] + more), listener(10 + turn / 2, before["received"] + more)]
+        told.append("" in {tally.subscriber for tally in bus.tallies(readings, HOMES)})
+    assert told[0]
+    assert not any(told[-10:])
+
+
+def test_of_one_who_receives_all_it_is_enough_to_say_that():
+    bus, second = Bus(), "http://h:3/"
+    for turn in range(40):
+        count = 5 * turn
+        counters = tuple(Counter(id_, "/chat", True, count, count * 30, 4) for id_ in "12")
+        links = (Link("1", "/chat", True, "/listener"), Link("2", "/chat", True, "/slow"))
+        sends = Reading("/talker", "http://h:1/", turn / 2, BusStats(counters, False), links)
+        takes = Counter("9", "/chat", False, count // 13, count, 0)
+        slow = Reading(
+            "/slow", second, turn / 2, BusStats((takes,), False), (Link("9", "/chat", False, "http://h:1/"),)
+        )
+        found = {tally.subscriber for tally in bus.tallies([sends, listener(turn / 2, count), slow], HOMES)}
+        assert found == ({"/listener", "/slow"} if turn else set())
+
+
+def test_a_receiving_end_that_never_speaks_misses_nothing():
+    bus = Bus()
+    found = [bus.tallies([talker(turn / 2, 5 * turn)], HOMES) for turn in range(40)]
+    assert all([tally.subscriber for tally in one] == ["/listener"] for one in found[1:])
+
+
+def test_a_subscriber_that_was_started_again_is_found_to_miss_messages_anew():
+    bus = Bus()
+    rounds(bus, 10, sent=10, received=1)
+    bus.forget("/listener")
+    assert all("" not in one for one in rounds(bus, 1, sent=10, received=10))

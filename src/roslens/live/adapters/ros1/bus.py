@@ -13,6 +13,12 @@ from roslens.live.adapters.ros1.names import is_observer
 from roslens.live.adapters.ros1.slave import BusStats, Counter, Link
 from roslens.model.traffic.tally import Observer, Tally
 
+AS_SENT = 0.9
+"""A subscriber that gets a smaller share of what is sent to it says nothing of how much that is."""
+_ENOUGH, _ENOUGH_S = 10, 2.0
+"""Ends are read one after the other: only of so many messages in so many seconds is it known which share arrives."""
+_LATELY, _LATELY_S = 50, 10.0
+"""After so many more, what was counted before weighs half."""
 _WRAP = 2**32
 _HALF = 2**31
 
@@ -70,12 +76,17 @@ def _key(node: str, counter: Counter, peer: str, homes: Mapping[str, str]) -> _K
     return counter.topic, homes.get(peer.rstrip("/"), ""), node
 
 
+def _count(stretches: Iterable[Stretch]) -> int:
+    return sum(one.count for one in stretches)
+
+
 class Bus:
     """Turns readings into tallies.
 
     Both ends of a connection count it. What arrived is what the receiving end says; the sending end is heard where the
     other does not speak (roscpp tells of only one publisher of a topic, other libraries count no messages, a node may
-    be silent). The first sight of a connection counts nothing: what it carried before has no known beginning.
+    be silent). The first sight of a connection counts nothing: what it carried before has no known beginning. Where no
+    subscriber gets nearly all that a publisher sends, what is sent is told as well, as traffic to nobody.
 
     Args:
         hidden: names of nodes that are not part of the system, besides those of observers.
@@ -86,6 +97,7 @@ class Bus:
         self._hidden = hidden
         self._host = host
         self._before: dict[str, dict[_Counted, tuple[float, Counter]]] = {}
+        self._lately: dict[_Key, tuple[float, float, float]] = {}
 
     def tallies(self, readings: Iterable[Reading], homes: Mapping[str, str]) -> list[Tally]:
         """Return the traffic since the readings before, one tally a connection, sorted.
@@ -101,7 +113,39 @@ class Bus:
                 key = _key(reading.node, counter, peer, homes)
                 if not (self._hides(key[1]) or self._hides(key[2])):
                     (sent if counter.sends else received).setdefault(key, []).append(stretch)
-        return [self._tally(key, received.get(key) or sent[key]) for key in sorted(received.keys() | sent.keys())]
+        known = {key: received.get(key) or sent[key] for key in received.keys() | sent.keys()}
+        known |= self._sent(sent, received)
+        return [self._tally(key, known[key]) for key in sorted(known)]
+
+    def _sent(
+        self, sent: Mapping[_Key, list[Stretch]], received: Mapping[_Key, list[Stretch]]
+    ) -> dict[_Key, list[Stretch]]:
+        """Return what publishers send of whose messages every subscriber misses many."""
+        for key in sent.keys() | received.keys():
+            self._compare(key, sent.get(key, ()), received.get(key, ()))
+        complete = {key[:2] for key in sent if not self._starves(key)}
+        found: dict[_Key, list[Stretch]] = {}
+        for key, stretches in sent.items():
+            to_nobody = (*key[:2], "")
+            if key[:2] not in complete and _count(found.get(to_nobody, ())) <= _count(stretches):
+                found[to_nobody] = stretches
+        return found
+
+    def _compare(self, key: _Key, sent: Iterable[Stretch], received: Iterable[Stretch]) -> None:
+        """Count what was sent over a connection lately, and what arrived, once both ends have told."""
+        lately = self._lately.get(key)
+        if lately is None and not (sent and received):
+            return
+        gone, come, seconds = lately or (0.0, 0.0, 0.0)
+        gone, come = gone + _count(sent), come + _count(received)
+        seconds += sum(one.end - one.start for one in sent)
+        if gone > 2 * _LATELY and seconds > 2 * _LATELY_S:
+            gone, come, seconds = gone / 2, come / 2, seconds / 2
+        self._lately[key] = gone, come, seconds
+
+    def _starves(self, key: _Key) -> bool:
+        gone, come, seconds = self._lately.get(key, (0.0, 0.0, 0.0))
+        return gone >= _ENOUGH and seconds >= _ENOUGH_S and come < AS_SENT * gone
 
     def _stretches(self, reading: Reading) -> Iterator[tuple[Counter, str, Stretch]]:
         """Yield what each connection of a node carried since its reading before, with its peer."""
@@ -120,6 +164,7 @@ class Bus:
     def forget(self, node: str) -> None:
         """Drop what was known of a node that is gone."""
         self._before.pop(node, None)
+        self._lately = {key: lately for key, lately in self._lately.items() if node not in key[1:]}
 
     def _stretch(
         self, reading: Reading, counter: Counter, before: Mapping[_Counted, tuple[float, Counter]]

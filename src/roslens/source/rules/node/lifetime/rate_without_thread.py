@@ -13,7 +13,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLPY, FileRule
 
-_SPINS_ELSEWHERE = re.compile(rb"[tT]hread|MultiThreadedExecutor|spin_once|spin_until|asyncio|ReentrantCallbackGroup")
+_SPINS_ELSEWHERE = re.compile(rb"[tT]hread|MultiThreadedExecutor|asyncio|ReentrantCallbackGroup|multiprocessing")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -41,8 +41,8 @@ def _is_slept_on(call: Node, view: FileView) -> bool:
 RULE = FileRule(
     id="node.rate_without_thread",
     title="Rate without a spinning thread (rclpy)",
-    finds="`create_rate` and `sleep()` of that rate in a program that spins in no other thread. "
-    "Use a timer, or spin in a thread.",
+    finds="`create_rate` and `sleep()` of that rate in a program that spins in no other thread: `spin_once` before it "
+    "does not help. Use a timer, or spin in a thread.",
     why="`Rate.sleep()` of rclpy waits for a timer of the node, and timers run in the executor: slept on in the "
     "thread that "
     "should spin, it never returns.",

@@ -1,0 +1,1 @@
+"""Values of Python that a name or a pattern does not get."""

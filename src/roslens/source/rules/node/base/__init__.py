@@ -1,0 +1,1 @@
+"""Rules about what a class takes over from the node that it is derived from."""

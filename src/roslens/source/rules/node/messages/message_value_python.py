@@ -29,6 +29,8 @@ _LITERALS = {
     "none": _NOTHING,
 }
 _CALLS = {"int": _WHOLE, "len": _WHOLE, "float": _REAL, "str": _TEXT, "bool": _TRUTH, "time.time": _REAL}
+_TAKEN = {"boolean": (_TRUTH,), "string": (_TEXT,)}
+_NEEDED = {"boolean": "True or False", "string": "a text"}
 _NOW = re.compile(r"(?:get_clock\(\)|\bClock\(\)|\bclock)\.now\(\)$")
 _STAMP = "builtin_interfaces/Time"
 
@@ -89,15 +91,20 @@ def _expected(kind: str, value: Node, given: str, view: FileView) -> str:
     items = _ITEMS.match(kind)
     if items is not None:
         return _expected_items(items[1] or items[2], value, given, view)
+    if not given or given in _taken(kind):
+        return ""
     if "/" in kind:
-        return f"an object of {_shown(kind)}" if given else ""
+        return f"an object of {_shown(kind)}"
+    return _as_float(value, view) if kind in _FLOATS else _NEEDED.get(kind, "a whole number")
+
+
+def _taken(kind: str) -> tuple[str, ...]:
+    """Return the kinds of values that a field takes."""
     if kind in _FLOATS:
-        return _as_float(value, view) if given not in ("", _REAL) else ""
-    if "int" in kind:
-        return "a whole number" if given not in ("", _WHOLE, _TRUTH) else ""
-    if kind == "boolean":
-        return "True or False" if given not in ("", _TRUTH) else ""
-    return "a text" if kind == "string" and given not in ("", _TEXT) else ""
+        return (_REAL,)
+    if "int" in kind and "/" not in kind:
+        return (_WHOLE, _TRUTH)
+    return _TAKEN.get(kind, () if "/" in kind else (_WHOLE, _REAL, _TEXT, _TRUTH, _NOTHING))
 
 
 def _expected_items(kind: str, value: Node, given: str, view: FileView) -> str:

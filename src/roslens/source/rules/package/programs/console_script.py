@@ -127,8 +127,8 @@ RULE = PackageRule(
     id="package.console_script",
     title="Entry point that does not exist",
     finds="A `console_scripts` entry of setup.py whose module is not in the package, is named without it or is not "
-    "installed as `packages` is empty or the folder has no `__init__.py`; whose module does not define the function, or "
-    "one that needs an argument; and an entry of another form than `module:function`. Correct the entry.",
+    "installed, as `packages` is empty or the folder has no `__init__.py`; whose module does not define the function, "
+    "or one that needs an argument; and an entry of another form than `module:function`. Correct the entry.",
     why="The program is installed and `ros2 run` finds it, but it ends with an ImportError when the robot starts it.",
     consequence=Consequence.STOPS_START,
     certainty=Certainty.LIKELY,

@@ -172,3 +172,56 @@ def test_that_source_has_not_what_is_seen_is_no_cause():
     assert found.cause is None
     assert [one.state for one in found.steps if one.of == "source"] == [StepState.UNSEEN]
     assert cause(observed(ends[1]), source(), question).asks is Asks.MADE
+
+
+def two_users(sends, receives, *, closed=frozenset({1000}), **more):
+    """Return a lidar of one user and a planner of another, on one host."""
+    nodes = (Node("/lidar", "here", 7), Node("/planner", "here", 8))
+    processes = (RosProcess(7, "lidar", sends, **more), RosProcess(8, "planner", receives, **more))
+    return observed(publisher(), subscription(), nodes=nodes, processes=processes, closed_memory=closed)
+
+
+def test_a_subscription_of_another_user_gets_nothing_through_memory_it_may_not_write():
+    found = cause(two_users(1000, 1001))
+    assert (found.asks, found.says) == (
+        Asks.REACHED, "/planner can receive nothing: it runs as user 1001, and /lidar as 1000",
+    )  # fmt: skip
+    assert "FASTDDS_BUILTIN_TRANSPORTS=UDPv4" in found.how
+
+
+def test_transports_that_are_chosen_do_not_count_where_discovery_stays_on_the_host():
+    assert cause(two_users(1000, 1001, transports="UDPv4", discovery="LOCALHOST")).asks is Asks.REACHED
+
+
+@pytest.mark.parametrize(
+    "live",
+    [
+        two_users(1000, 1000),
+        two_users(1000, 0),
+        two_users(1000, 1001, closed=frozenset()),
+        two_users(1000, 1001, transports="UDPv4"),
+        two_users(1000, 1001, rmw="rmw_cyclonedds_cpp"),
+    ],
+    ids=["one user", "root", "memory that all may write", "no shared memory", "another middleware"],
+)
+def test_users_who_reach_each_other_are_no_cause(live):
+    assert cause(live) is None
+
+
+def test_zenoh_without_a_router_is_the_cause():
+    process = RosProcess(1, "lidar", 0, rmw="rmw_zenoh_cpp")
+    live = observed(publisher(), subscription(), processes=(process,), here={"RMW_IMPLEMENTATION": "rmw_zenoh_cpp"})
+    assert "no router of Zenoh" in cause(live).says
+    live = observed(
+        publisher(), subscription(), processes=(process,), routers=1, here={"RMW_IMPLEMENTATION": "rmw_zenoh_cpp"}
+    )
+    assert cause(live) is None
+
+
+def test_a_program_of_another_user_whose_nodes_are_not_seen_is_told():
+    process = RosProcess(9, "lidar_node", 1001)
+    live = observed(subscription(), processes=(process,), closed_memory=frozenset({1001}), user=1000)
+    assert "it runs as user 1001, looked at was as user 1000" in cause(live, source()).says
+    assert "user 1001" not in cause(
+        observed(subscription(), processes=(process,), closed_memory=frozenset(), user=1000), source()
+    ).says  # fmt: skip

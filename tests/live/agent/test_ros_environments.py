@@ -37,3 +37,16 @@ def test_processes_of_this_system_without_ros_are_none_of_it():
         assert os.getpid() not in {one.pid for one in ros_environments().processes}
     finally:
         child.communicate(b"\n")
+
+
+def test_routers_of_zenoh_and_memory_that_others_may_not_write_are_told(tmp_path):
+    process(tmp_path / "proc", 5, maps=b"", command=b"/opt/ros/lib/rmw_zenoh_cpp/rmw_zenohd\0")
+    process(tmp_path / "proc", 6, maps=b"", command=b"grep\0rmw_zenohd\0")
+    shared = tmp_path / "shm"
+    shared.mkdir()
+    segment = shared / "fastdds_port7411"
+    segment.touch(0o644)
+    found = ros_environments(tmp_path / "proc", shared=shared)
+    assert (found.routers, found.closed_memory) == (1, frozenset({segment.stat().st_uid}))
+    segment.chmod(0o666)
+    assert ros_environments(tmp_path / "proc", shared=shared).closed_memory == frozenset()

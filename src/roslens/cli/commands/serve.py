@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from roslens.cli.page.watch_page import PageSource
     from roslens.dashboard.journal.questions import Questions
     from roslens.dashboard.live.further import Further
+    from roslens.dashboard.site import Site
 
 _SYSTEM = "the running system"
 PATIENCE_S = 1.0
@@ -99,10 +100,8 @@ def _serve(options: argparse.Namespace) -> int:
     from roslens.cli.conformance.shown_sides import against, shown_sides
     from roslens.cli.graph.read_beside import site_at_once
     from roslens.cli.past.shown_past import shown_past
-    from roslens.cli.served.declared_beside import declared_beside
     from roslens.cli.served.last_change import last_change_in
     from roslens.cli.served.reviewing import reviewing_of
-    from roslens.cli.served.source_grounds import source_grounds
     from roslens.cli.served.standing import gate_of, kept_runs
     from roslens.cli.served.without_run import needs_no_run, serve_alone
     from roslens.dashboard.live.app import no_graph, nothing
@@ -136,9 +135,7 @@ def _serve(options: argparse.Namespace) -> int:
             read_graphs()
 
         with _beside(options, site.name, questions) as (page, further):
-            if page:
-                page.draw_on(source_grounds(site))
-                page.why.declared = declared_beside(site, options.path)
+            _join(page, site, options.path)
             # A page that waited for minutes would show nothing, and block all others.
             view.wait_at_most(PATIENCE_S)
             sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=options.bag or ())
@@ -161,6 +158,16 @@ def _serve(options: argparse.Namespace) -> int:
                 tls=door.tls,
             )
     return 0
+
+
+def _join(page: PageSource | None, site: Site, path: str) -> None:
+    """Let what runs be drawn and explained with its source."""
+    from roslens.cli.served.declared_beside import declared_beside
+    from roslens.cli.served.source_grounds import source_grounds
+
+    if page is not None:
+        page.draw_on(source_grounds(site))
+        page.why.declared = declared_beside(site, path)
 
 
 def _new_token(role: str, name: str, path: Path | None) -> int:

@@ -132,7 +132,9 @@ class WhyPage:
         latest = {one.node: one for one in self._ended if one.node not in there}
         return Observed(
             "what runs here", looked.graph, _values(looked.view), ended=tuple(latest.values()),
-            processes=self._processes.processes, unreadable=self._processes.unreadable, here=self._here,
+            processes=self._processes.processes, unreadable=self._processes.unreadable,
+            closed_memory=self._processes.closed_memory, routers=self._processes.routers, user=os.getuid(),
+            here=self._here,
         )  # fmt: skip
 
 

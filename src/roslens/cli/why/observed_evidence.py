@@ -32,13 +32,11 @@ class Looking:
             UsageError: no ROS is found that was asked for.
         """
         from roslens.cli.watch.watch_live import length_of, sources_of
-        from roslens.live.agent.ros_environments import ros_environments
         from roslens.live.observe.child_source import ChildSource
 
         self._options = options
         self._exact = bool(options.length or options.tap)
         self._length = length_of(options.length, "--for") if options.length else LOOK_S
-        self._before = ros_environments()
         self._sources: Sequence[Source] = sources_of(options)
         for one in self._sources:
             if isinstance(one, ChildSource):
@@ -63,6 +61,7 @@ class Looking:
         from roslens.cli.watch.stretch import Stretch
         from roslens.cli.why.settled import Settled
         from roslens.judge.reference.expectation import Reference
+        from roslens.live.agent.ros_environments import ros_environments
         from roslens.live.join.session import Session, run
 
         session = Session(Reference("nothing"), start=time.time())
@@ -87,9 +86,10 @@ class Looking:
                 most = "" if self._exact else " at most"
                 print(f"roslens: looking at what runs, for {self._length:g} s{most}", file=sys.stderr)
             run(session, sources, wall=time.time, stopped=over, report=report)
+        programs = ros_environments()
         graph = session.graph()
         failures = tuple(str(one) for one in session.monitor.failures)
-        if not graph.nodes and not graph.endpoints and not self._before.processes:
+        if not graph.nodes and not graph.endpoints and not programs.processes:
             raise UsageError(
                 f"no node runs here that could be seen in {stretch.passed:.0f} s{_because(failures)}",
                 expected="a ROS system",
@@ -101,7 +101,8 @@ class Looking:
             here[DOMAIN] = str(self._options.domain)
         return Observed(
             f"what runs here{_domain(graph.generation, here)}", graph, values, stretch.seen,
-            tuple(_ended(events, session)), failures, self._before.processes, self._before.unreadable, here,
+            tuple(_ended(events, session)), failures, programs.processes, programs.unreadable,
+            programs.closed_memory, programs.routers, os.getuid(), here,
         )  # fmt: skip
 
 

@@ -22,7 +22,20 @@ def differences(process: RosProcess, observed: Observed) -> list[str]:
         found.append(f"{RMW} is {process.rmw}, looked at is {here[RMW]}")
     if process.discovery == "OFF":
         found.append(f"{DISCOVERY} is OFF, so it meets nobody")
+    if not found and _is_hidden(process, observed):
+        found.append(f"it runs as user {process.user}, looked at was as user {observed.user}, and none of its nodes is "
+                     "seen: Fast DDS may not write the memory of another user")  # fmt: skip
     return found
+
+
+def _is_hidden(process: RosProcess, observed: Observed) -> bool:
+    """Return whether no node of a process of another user is seen, where users share no memory."""
+    is_other = observed.user is not None and process.user != observed.user
+    return (
+        is_other
+        and process.pid not in {one.pid for one in observed.graph.nodes}
+        and not observed.closed_memory.isdisjoint({process.user, observed.user})
+    )
 
 
 def reached(observed: Observed, programs: Mapping[str, str], asked: str) -> Step | None:
@@ -36,6 +49,8 @@ def reached(observed: Observed, programs: Mapping[str, str], asked: str) -> Step
     """
     if observed.graph.generation == "ros1" or not (observed.processes or observed.unreadable):
         return None
+    if (router := _router_missing(observed)) is not None:
+        return router
     apart = [(one, words) for one in observed.processes if (words := differences(one, observed))]
     wanted = [(one, words) for one, words in apart if _node(one, programs)]
     if wanted:
@@ -52,15 +67,19 @@ def reached(observed: Observed, programs: Mapping[str, str], asked: str) -> Step
     if observed.unreadable and not observed.processes:
         says = f"{observed.unreadable} processes of other users cannot be looked into"
         return Step(Asks.REACHED, StepState.UNSEEN, says, "live", how="run it as the user of the robot, or as root")
-    users = {one.user for one in observed.processes}
-    if len(users) > 1:
-        says = f"programs of ROS 2 run as {len(users)} users on this host"
-        lines = tuple(f"user {one.user}: {one.command} (process {one.pid})" for one in observed.processes[:_MOST])
-        return Step(Asks.REACHED, StepState.UNSEEN, says, "live", lines,
-                    "Fast DDS needs rights on /dev/shm between users: without, topics are listed and no data comes",
-                    "ls -ln /dev/shm")  # fmt: skip
     return Step(Asks.REACHED, StepState.OK, "all programs of ROS 2 on this host have the same domain and middleware",
                 "live")  # fmt: skip
+
+
+def _router_missing(observed: Observed) -> Step | None:
+    """Return that nodes on Zenoh have no router on this host, without which they do not find each other."""
+    on_zenoh = [one for one in observed.processes if one.rmw == "rmw_zenoh_cpp"]
+    if not on_zenoh or observed.routers:
+        return None
+    says = f"{len(on_zenoh)} program{'s' * (len(on_zenoh) > 1)} of ROS 2 on Zenoh run here, and no router of Zenoh does"
+    lines = tuple(f"{one.command} (process {one.pid}): RMW_IMPLEMENTATION is {one.rmw}" for one in on_zenoh[:_MOST])
+    how = "start the router, unless the configuration of Zenoh names one on another host"
+    return Step(Asks.REACHED, StepState.NOT, says, "live", lines, how, "ros2 run rmw_zenoh_cpp rmw_zenohd")
 
 
 def _node(process: RosProcess, programs: Mapping[str, str]) -> str:

@@ -11,6 +11,7 @@ from roslens.compare.why.instead import made_instead, made_nearly
 from roslens.compare.why.observed import Observed
 from roslens.compare.why.question import Question, near_names
 from roslens.compare.why.simulated_clock import clock_missing
+from roslens.compare.why.users import kept_apart_by_user
 from roslens.model.answers.answer import Asks, Step, StepState
 from roslens.model.configuration import ConfiguredNode
 from roslens.model.graph import Endpoint, Node, Role
@@ -51,6 +52,8 @@ def _of_ends(question: Question, observed: Observed, declared: Declared | None) 
     yield from runs
     if apart is not None:
         yield apart
+    if (by_user := kept_apart_by_user(ends, observed)) is not None:
+        yield by_user
     placed = [Placed(one) for one in ends]
     yield from (one for one in (type_fit(placed, "live"), qos_fit(placed, "live")) if one is not None)
     if question.kind == "topic":

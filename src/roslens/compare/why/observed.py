@@ -30,6 +30,9 @@ class Observed(msgspec.Struct, frozen=True):
         failures: what observers could not do, a sentence each.
         processes: of ROS 2 on this host, as far as they can be read.
         unreadable: how many processes of other users could not be looked into.
+        closed_memory: users of this host who share memory of Fast DDS that others may not write.
+        routers: how many routers of Zenoh run on this host.
+        user: numeric id of who looked; None where that is not known.
         here: domain, middleware and discovery range that were looked at, by the name of their variable.
     """
 
@@ -41,4 +44,7 @@ class Observed(msgspec.Struct, frozen=True):
     failures: tuple[str, ...] = ()
     processes: tuple[RosProcess, ...] = ()
     unreadable: int = 0
+    closed_memory: frozenset[int] = frozenset()
+    routers: int = 0
+    user: int | None = None
     here: Mapping[str, str] = {}

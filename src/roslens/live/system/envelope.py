@@ -168,10 +168,7 @@ class Envelope:
         elif key == "message_size":
             self._narrow_size(low, high)
         elif key == "largest_gap":
-            self.gap = min(self.gap, high)
-            if not self.most_lost:
-                # Larger messages raise the silence that a tap may have made itself.
-                self.size = self.size[0], min(self.size[1], LARGE_BYTES)
+            self._narrow_gap(high)
             return low <= 0
         elif key == "jitter":
             self.centre = period(window) or 0.0
@@ -182,6 +179,12 @@ class Envelope:
         else:
             return self._narrow_mean(key, low, high)
         return True
+
+    def _narrow_gap(self, high: float) -> None:
+        self.gap = min(self.gap, high)
+        if not self.most_lost:
+            # Larger messages raise the silence that a tap may have made itself.
+            self.size = self.size[0], min(self.size[1], LARGE_BYTES)
 
     def _narrow_loss(self, low: float, high: float) -> None:
         least, most = self.loss or (-inf, inf)

@@ -135,25 +135,26 @@ class Parameters:
 
     def again(self, now: float) -> None:
         """Put those who did not answer a while ago in line once more, and of those who tell no changes the next."""
-        silent: list[tuple[float, str]] = []
-        for name, known in self._nodes.items():
-            if known.due and now >= known.due:
-                if known.values is None:
-                    known.due = 0.0
-                    self._waiting[name] = None
-                elif known.silent:
-                    silent.append((known.due, name))
-                else:
-                    known.due = 0.0
-            elif known.silent and known.values is not None and not known.due and known.asking is None:
-                known.due = now + REREAD_S
+        due = [(known.due, name) for name, known in self._nodes.items() if known.due and now >= known.due]
+        for _, name in due:
+            known = self._nodes[name]
+            if known.values is None:
+                known.due = 0.0
+                self._waiting[name] = None
+        silent = [(time, name) for time, name in due if self._nodes[name].values is not None]
         if silent and now >= self._next_reread:
             self._next_reread = now + REREAD_PACE_S
             self._reread(min(silent)[1])
+        for name, known in self._nodes.items():
+            idle = known.asking is None and name not in self._waiting
+            if known.silent and known.values is not None and not known.due and idle:
+                known.due = now + REREAD_S
 
     def _reread(self, name: str) -> None:
         known = self._nodes[name]
         known.due = 0.0
+        if not known.silent:
+            return
         self._waiting[name] = None
         if not known.told:
             known.told = True
@@ -175,17 +176,23 @@ class Parameters:
         known.asking = None
         self._asked.discard(name)
         if found is None:
-            known.due = now + AGAIN_S if known.tries < TRIES or known.told else 0.0
-            if known.tries >= TRIES and known.values is not None:
-                # What it said long ago and tells no changes of is not known any more.
-                known.values, self.news = None, True
+            self._let_go(known, now)
         elif known.stale and known.tries < TRIES:
             self._waiting[name] = None
         else:
-            if known.values is not None and known.values != found:
-                self._found.append((name, known.values, found))
-            self.news |= known.values != found
-            known.values, known.tries = found, 0
+            self._answered(name, known, found)
+
+    def _let_go(self, known: _Known, now: float) -> None:
+        known.due = now + AGAIN_S if known.tries < TRIES or known.told else 0.0
+        if known.tries >= TRIES and known.values is not None:
+            # What it said long ago and tells no changes of is not known any more.
+            known.values, self.news = None, True
+
+    def _answered(self, name: str, known: _Known, found: dict[str, str]) -> None:
+        if known.values is not None and known.values != found:
+            self._found.append((name, known.values, found))
+        self.news |= known.values != found
+        known.values, known.tries = found, 0
 
     def note(self, name: str, now: dict[str, str], deleted: Iterable[str], time: float) -> None:
         """Take what a node reported of itself at ``time``: values that are other ``now``, and names that are gone."""

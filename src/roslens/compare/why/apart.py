@@ -76,7 +76,8 @@ def _router_missing(observed: Observed) -> Step | None:
     on_zenoh = [one for one in observed.processes if one.rmw == "rmw_zenoh_cpp"]
     if not on_zenoh or observed.routers:
         return None
-    says = f"{len(on_zenoh)} program{'s' * (len(on_zenoh) > 1)} of ROS 2 on Zenoh run here, and no router of Zenoh does"
+    count = "1 program" if len(on_zenoh) == 1 else f"{len(on_zenoh)} programs"
+    says = f"no router of Zenoh runs here, and {count} of ROS 2 on Zenoh {'does' if len(on_zenoh) == 1 else 'do'}"
     lines = tuple(f"{one.command} (process {one.pid}): RMW_IMPLEMENTATION is {one.rmw}" for one in on_zenoh[:_MOST])
     how = "start the router, unless the configuration of Zenoh names one on another host"
     return Step(Asks.REACHED, StepState.NOT, says, "live", lines, how, "ros2 run rmw_zenoh_cpp rmw_zenohd")

@@ -183,7 +183,13 @@ def _traffic(question: Question, observed: Observed, *, has_makers: bool) -> Ite
         state = StepState.OK if received > 0 else StepState.NOT
         yield Step(Asks.RECEIVED, state, f"the subscriber that gets fewest gets {received:.3g} Hz", "live")
     if rate and (loss := values.get("loss")):
-        yield Step(Asks.RECEIVED, StepState.NOT, f"{loss:.1f} % of the messages did not arrive", "live")
+        yield Step(
+            Asks.RECEIVED,
+            StepState.NOT,
+            f"{loss:.1f} % of the messages did not arrive",
+            "live",
+            how="look at the network between the hosts, the depth of the queues, and the subscriber's processor",
+        )
 
 
 def _of_node(question: Question, observed: Observed, declared: Declared | None) -> Iterator[Step]:

@@ -17,6 +17,7 @@ _MOST = 6
 _NEAR_S = 5.0
 _AT_ONCE_S = 0.5
 _ON_EVENTS = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
+_CHANGED = "`last good` below tells what changed then"
 _HELD_S = 60.0
 """What is older than this before a break is not told as its reason, in seconds."""
 
@@ -98,7 +99,7 @@ def _sent(name: str, topic: RecordedTopic, recorded: Recorded, declared: Declare
         yield Step(Asks.SENT, StepState.OK, of, "recording")
         return
     for one in line.breaks:
-        yield Step(Asks.SENT, StepState.NOT, _words(one, line.usual, recorded), "recording", (of,))
+        yield Step(Asks.SENT, StepState.NOT, _words(one, line.usual, recorded), "recording", (of,), _CHANGED)
     yield _last_good(name, line.breaks[0], recorded, declared)
 
 

@@ -124,7 +124,13 @@ def _sent(lines: Sequence[FrameLine], recorded: Recorded) -> Iterator[Step]:
             broken = True
             says = f"{name} stopped" if found.kind is BreakKind.STOP else f"{name} was not said"
             says += f" for {found.until - found.since:.1f} s from {recorded.clock(found.since)} on"
-            yield Step(Asks.SENT, StepState.NOT, f"{says}, where it came every {line.usual:.3g} s", "recording")
+            yield Step(
+                Asks.SENT,
+                StepState.NOT,
+                f"{says}, where it came every {line.usual:.3g} s",
+                "recording",
+                how=f"look at what publishes {name}: `made by` names it where the recording does",
+            )
     if told and not broken:
         yield Step(Asks.SENT, StepState.OK, "each transform on the way was said again and again, or is static",
                    "recording", tuple(told[:_MOST]))  # fmt: skip

@@ -1,9 +1,11 @@
+import time
 from pathlib import Path
 
 import pytest
+from pace import slowness
 
 from roslens.cli.commands.init import TEMPLATE
-from roslens.cli.workplace.configuration import Configuration, find_configuration, read_configuration
+from roslens.cli.workplace.configuration import MOST_BYTES, Configuration, find_configuration, read_configuration
 from roslens.model.errors import DocumentError, UsageError
 from roslens.source.settings import SourceSettings
 
@@ -96,6 +98,33 @@ def test_brackets_without_end_are_told(tmp_path: Path):
     path.write_text("models = " + "[" * 5000)
     with pytest.raises(DocumentError, match="brackets are nested too deep"):
         read_configuration(path)
+
+
+def test_a_file_that_is_larger_than_a_configuration_is_told(tmp_path):
+    path = tmp_path / "roslens.toml"
+    path.write_text("#" * (MOST_BYTES + 1))
+    with pytest.raises(DocumentError, match=r"roslens\.toml: a file of 1,000,001 bytes; at most 1,000,000 are read"):
+        read_configuration(path)
+    path.write_text("#" * MOST_BYTES)
+    assert read_configuration(path).fail_on == "error"
+
+
+def test_a_large_pyproject_that_configures_something_is_not_passed_over(tmp_path):
+    path = tmp_path / "pyproject.toml"
+    path.write_text("#" * MOST_BYTES + '\n[tool.roslens]\nfail_on = "note"\n')
+    with pytest.raises(DocumentError, match=r"pyproject\.toml: .* at most 1,000,000 are read"):
+        find_configuration(tmp_path, None)
+    path.write_text("#" * MOST_BYTES + "\n[tool.other]\n")
+    assert find_configuration(tmp_path, None).path == ""
+
+
+def test_blanks_behind_a_bracket_in_a_text_cost_nothing(tmp_path):
+    path = tmp_path / "roslens.toml"
+    path.write_text('engine = """\n[' + " " * 100_000 + '\n"""\n[ rules ]\nnone = 1\n')
+    begun = time.process_time()
+    with pytest.raises(DocumentError, match=r"roslens\.toml:5:1: unknown key 'rules\.none'"):
+        read_configuration(path)
+    assert time.process_time() - begun < slowness()
 
 
 def test_a_number_that_python_does_not_convert_is_an_error_of_the_file(tmp_path):

@@ -96,6 +96,7 @@ def test_so_is_a_manifest(workspace):
     [
         ["interfaces", "--lock", "lock.json"],
         ["port", "humble", "jazzy"],
+        ["completion", "launches", "--path"],
         ["report", "--no-store", "--no-graph", "-o", "out"],
     ],
     ids=lambda words: words[0],

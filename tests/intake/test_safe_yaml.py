@@ -40,6 +40,9 @@ def test_what_was_written_is_read(value):
         ("a: [", "expected (?:the )?node content"),
         ("a: *b", "undefined alias"),
         (b"a: \xff", "invalid|decode|codec"),
+        # Base 60, which takes the square of its length.
+        ("a: 1" + ":59" * 300_000, r"1:59:59:59:59:59:59:… in line 1 has 900,001 characters; at most 1,000 are read"),
+        ("a: 1\n? -1" + ":59" * 400, "in line 2 has 1,202 characters"),
     ],
 )
 def test_what_is_refused(text, says):
@@ -47,6 +50,12 @@ def test_what_is_refused(text, says):
     with pytest.raises(UnsafeYamlError, match=says):
         load_yaml(text)
     assert time.process_time() - begun < 5 * slowness()
+
+
+def test_only_a_number_has_a_bound_of_its_own():
+    assert load_yaml("a: '" + "1" * 2_000 + "'") == {"a": "1" * 2_000}
+    assert load_yaml("a: " + "b1" * 2_000) == {"a": "b1" * 2_000}
+    assert load_yaml("a: 1" + ":59" * 3) == {"a": 431999}
 
 
 def test_an_alias_of_what_it_stands_in_is_one_value():
@@ -61,7 +70,7 @@ def _limits(monkeypatch, *, most_bytes=1_000, values=1_000, depth=100):
 
 
 def test_the_limits():
-    assert (safe_yaml.MOST_BYTES, safe_yaml.MOST_VALUES, safe_yaml.MOST_DEPTH) == (5_000_000, 500_000, 100)
+    assert (safe_yaml.MOST_BYTES, safe_yaml.MOST_VALUES, safe_yaml.MOST_DEPTH) == (5_000_000, 200_000, 100)
 
 
 @pytest.mark.parametrize(

@@ -3,15 +3,18 @@
 from math import ceil
 
 import pytest
+from shapes.test_unwatched import MOST_MB as UNWATCHED_MB
+from shapes.test_unwatched import MOST_S as UNWATCHED_S
 
 from promises.sentences import GUARANTEES, ROOT, promises
 from roslens.children.limits import FILE_BYTES, MEMORY_BYTES
+from roslens.cli.workplace.configuration import MOST_BYTES as CONFIGURATION_BYTES
 from roslens.dashboard.access.policy import ACTS_EACH_S, MOST_ACTS, MOST_REFUSED, REFUSED_EACH_S
 from roslens.dashboard.patient_protocol import MOST_CONNECTIONS, MOST_OF_A_PEER, READING_S, REQUEST_S
 from roslens.intake.bounded_file import MOST_SOURCE_BYTES
 from roslens.intake.file_budget import LEAST_MEMORY, MORE_S, MOST_MEMORY
 from roslens.intake.safe_yaml import MOST_BYTES as MOST_YAML_BYTES
-from roslens.intake.safe_yaml import MOST_DEPTH, MOST_VALUES
+from roslens.intake.safe_yaml import MOST_DEPTH, MOST_DIGITS, MOST_VALUES
 from roslens.intake.time_budget import SOURCE_FILE_S
 from roslens.judge.documents.yaml_tree import MAX_BYTES, MAX_DEPTH, MAX_NODES
 from roslens.live.adapters.bag.decompress import LARGEST, RATIO, UNCHECKED
@@ -60,9 +63,13 @@ def mb(count):
     [
         ("every other file", [mb(MOST_SOURCE_BYTES), mb(LAUNCH_BYTES)]),
         ("plug-ins: memory", ["4 GB", *map(mb, (FILE_BYTES, MOST_ANSWER_BYTES, MOST_TASK_BYTES))]),
-        ("YAML in launch files", [mb(MOST_YAML_BYTES), f"{MOST_VALUES:,} values", f"depth {MOST_DEPTH}"]),
+        (
+            "YAML in launch files",
+            [mb(MOST_YAML_BYTES), f"{MOST_VALUES:,} values", f"depth {MOST_DEPTH}", f"{MOST_DIGITS:,} characters"],
+        ),
         ("quality models", [mb(MAX_BYTES), f"{MAX_NODES:,} values", f"depth {MAX_DEPTH}"]),
-        ("configuration files", [mb(MOST_SOURCE_BYTES)]),
+        ("configuration files", [mb(CONFIGURATION_BYTES)]),
+        ("what `fetch`", [f"{UNWATCHED_S} s of processor time", f"{UNWATCHED_MB} MB"]),
         ("a compressed chunk", [mb(LARGEST), f"above {mb(UNCHECKED)}", "a thousand times"]),
         ("unauthenticated", [f"{MOST_UNPROVEN} at a time", f"{MOST_UNPROVEN_OF_A_HOST} per host", f"{PROOF_S:g} s"]),
         (

@@ -221,11 +221,19 @@ def measured(grammar: str, content: bytes) -> Measured:
     Raises:
         ReadError: it failed in another way than by exceeding its budget.
     """
-    slot = Slot()
+    return measured_by(READERS[grammar], content, Slot())
+
+
+def measured_by(read: Callable[[bytes], None], content: bytes, slot: Slot | None = None) -> Measured:
+    """Read content in a process of its own, which is bounded where it has a slot.
+
+    Raises:
+        ReadError: it failed in another way than by exceeding its budget.
+    """
     here, there = os.pipe()
     pid = os.fork()
     if pid == 0:
-        _child(grammar, content, slot, there)
+        _child(read, content, slot, there)
     os.close(there)
     with os.fdopen(here, "rb") as stream:
         pages = stream.readline()
@@ -240,7 +248,7 @@ def measured(grammar: str, content: bytes) -> Measured:
     return Measured(used.ru_utime + used.ru_stime, largest, why, largest - began)
 
 
-def _child(grammar: str, content: bytes, slot: Slot, answers: int) -> None:
+def _child(read: Callable[[bytes], None], content: bytes, slot: Slot | None, answers: int) -> None:
     import faulthandler
     import traceback
     import warnings
@@ -248,13 +256,14 @@ def _child(grammar: str, content: bytes, slot: Slot, answers: int) -> None:
     try:
         faulthandler.disable()
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-        watch(slot)
+        if slot is not None:
+            watch(slot)
         os.write(answers, Path("/proc/self/statm").read_bytes().split()[1] + b"\n")
         said = ""
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                READERS[grammar](content)
+                read(content)
         except OverBudgetError as error:
             said = f"over {error}"
         except BaseException:  # noqa: BLE001 - whatever it is, it was not to be

@@ -46,6 +46,11 @@ def numbered(unit: str, before: str = "", after: str = "") -> Shape:
 
 
 _CPP: dict[str, Shape] = {
+    "blanks": repeated(" ", "int", "x = {\n"),
+    "blanks behind a bracket": repeated(" ", "int x[", "\n"),
+    "blanks in a directive": repeated(" ", "#define A(", "\n"),
+    "blanks in a comment": repeated(" ", "// roslens: ignore[", "\n"),
+    "lines that go on": repeated("\\\n", "#define A ", "\n"),
     "nested parentheses": nested("(", ")", "1", "int x = ", ";"),
     "nested braces": nested("{", "}", before="void f()"),
     "nested templates": nested("a<", ">", "int", "", " x;"),
@@ -103,6 +108,10 @@ _CPP: dict[str, Shape] = {
     "backslashes at the end of lines": repeated("\\\n"),
 }
 _PYTHON: dict[str, Shape] = {
+    "blanks": repeated(" ", "x =", "(\n"),
+    "blanks behind a bracket": repeated(" ", "x = [", "\n"),
+    "blanks in a comment": repeated(" ", "# roslens: ignore[", "\n"),
+    "lines that go on": repeated("\\\n", "x = ", "\n"),
     "nested parentheses": nested("(", ")", "1", "x = "),
     "nested brackets": nested("[", "]", "1", "x = "),
     "nested tables": nested("{1:", "}", "1", "x = "),
@@ -145,6 +154,9 @@ _PYTHON: dict[str, Shape] = {
     "letters beyond ASCII": repeated("é"),
 }
 _CMAKE: dict[str, Shape] = {
+    "blanks": repeated(" ", "set(a", "\n"),
+    "blanks before a bracket": repeated(" ", "set", "(a b)\n"),
+    "blanks in a text": repeated(" ", 'set(a "${b', '")\n'),
     "nested conditions": nested("if(A)\n", "endif()\n"),
     "nested loops": nested("foreach(a 1 2)\n", "endforeach()\n"),
     "loops over long lists": lambda size: b"foreach(a " + b"x " * (size // 4) + b")\nset(b ${b} ${a})\nendforeach()\n",
@@ -185,6 +197,9 @@ _XML_HEAD = (
     "<maintainer email='a@b.org'>a</maintainer><license>MIT</license>"
 )
 _MANIFEST: dict[str, Shape] = {
+    "blanks": repeated(" ", f"{_XML_HEAD}<depend", "></package>"),
+    "blanks in a text": repeated(" ", f"{_XML_HEAD}<depend>a", "b</depend></package>"),
+    "blanks in a condition": repeated(" ", f'{_XML_HEAD}<depend condition="$A', '">a</depend></package>'),
     "nested elements": nested("<a>", "</a>", before="<package>", after="</package>"),
     "unclosed elements": repeated("<a>"),
     "unclosed tags": repeated("<a "),
@@ -214,6 +229,9 @@ _MANIFEST: dict[str, Shape] = {
     "letters beyond ASCII": repeated("é"),
 }
 _LAUNCH: dict[str, Shape] = {
+    "blanks": repeated(" ", "<launch><node", "/></launch>"),
+    "blanks in a substitution": repeated(" ", '<launch><arg name="b" value="$(arg', 'a"/></launch>'),
+    "blanks in a text": repeated(" ", '<launch><node pkg="p" type="t" exec="t" name="n" args="a', 'b"/></launch>'),
     "nested groups": nested("<group>", "</group>", before="<launch>", after="</launch>"),
     "unclosed groups": repeated("<group>", "<launch>"),
     "nodes": numbered('<node pkg="p" type="t" exec="t" name="n{}"/>', "<launch>", "</launch>"),
@@ -294,6 +312,9 @@ _YAML: dict[str, Shape] = {
     "sexagesimal": repeated(":59", "a: 1", "\n"),
     "one long string": repeated("a", "a: ", "\n"),
     "one block": repeated(" a\n", "a: |\n"),
+    "one long key": repeated("a", "", ": 1\n"),
+    "blanks": repeated(" ", "a:", "*b: [\n"),
+    "blanks behind a dash": repeated(" ", "-", "[\n"),
     "comments": repeated("# a\n"),
     "letters beyond ASCII": repeated("é"),
     "zero bytes": repeated("\0"),
@@ -317,6 +338,8 @@ _INTERFACE: dict[str, Shape] = {
     "comments": repeated("# a\n"),
     "comments behind": numbered("int32 a{} # a # a # a\n"),
     "blanks": repeated(" ", "int32", "a\n"),
+    "blanks before nothing": repeated(" ", "int32 a", "?\n"),
+    "blanks in a bracket": repeated(" ", "int32[", " a = [\n"),
     "annotations": repeated("@a(b=1)", "module a{struct A{", "long a;};};"),
     "modules": nested("module a{", "};", "struct A{long a;};"),
     "sequences": nested("sequence<", ">", "long", "struct A{", " a;};"),
@@ -343,6 +366,10 @@ _TOML: dict[str, Shape] = {
     "patterns": repeated("*", '[workspace]\nignore = ["', 'a"]\n'),
     "accepted": numbered('[[accepted]]\nfingerprint = "{}"\nreason = "r"\n'),
     "comments": repeated("# a\n"),
+    "one long key": repeated("a", "", " = 1\n"),
+    "blanks": repeated(" ", "fail_on =", '"x"\n'),
+    "blanks behind a bracket": repeated(" ", 'engine = """\n[', '\n"""\nfail_on = "x"\n'),
+    "blanks before nothing": repeated(" ", 'engine = """\na', '\n"""\nfail_on = "x"\n'),
 }
 _DOCUMENT: dict[str, Shape] = {
     "versions": numbered("1.0.{} (2020-01-01)\n------------------\n* a\n"),
@@ -359,6 +386,8 @@ _DOCUMENT: dict[str, Shape] = {
     "tables": repeated("|a"),
     "digits": repeated("1."),
     "blank lines": repeated(" \n"),
+    "blanks": repeated(" ", "1.0.0", "(\n---\n* a\n"),
+    "blanks behind a bracket": repeated(" ", "[", "\n"),
 }
 
 SHAPES = {

@@ -6,13 +6,18 @@ libyaml composes nested nodes by calling itself. So the events of a document are
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 MOST_BYTES = 5_000_000
-MOST_VALUES = 500_000
+MOST_VALUES = 200_000
 """Values with those that aliases stand for."""
 
 MOST_DEPTH = 100
+MOST_DIGITS = 1_000
+"""Of a number: what ``1:59:59:59`` stands for, base 60, takes the square of its length."""
+
+_NUMBER = re.compile("[-+]?[0-9][0-9_:.]*")
 
 
 class UnsafeYamlError(ValueError):
@@ -24,7 +29,7 @@ def load_yaml(text: str | bytes) -> Any:
 
     Raises:
         UnsafeYamlError: the text is no YAML of one document, has a tag that asks for an object, is too long, too deep,
-            or stands for too many values.
+            or stands for too many values or for a number of too many digits.
     """
     import yaml
 
@@ -62,5 +67,14 @@ def _count(events: Any) -> None:
         elif isinstance(event, yaml.ScalarEvent):
             total += 1
             weights[event.anchor] = 1
+            if event.implicit[0]:
+                _refuse_long_number(event)
         if total > MOST_VALUES:
             raise UnsafeYamlError(f"more than {MOST_VALUES:,} values, with those that aliases stand for")
+
+
+def _refuse_long_number(event: Any) -> None:
+    text: str = event.value
+    if len(text) > MOST_DIGITS and _NUMBER.fullmatch(text):
+        what = f"the number {text[:20]}… in line {event.start_mark.line + 1} has {len(text):,} characters"
+        raise UnsafeYamlError(f"{what}; at most {MOST_DIGITS:,} are read")

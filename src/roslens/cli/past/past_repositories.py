@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from roslens.cli.git.git_repository import Repository, repository_of
 from roslens.model.errors import UsageError
+from roslens.source.engines.watched_reader import LostReaderError, read_watched
 
 if TYPE_CHECKING:
     from roslens.source.history.histories import ReadLog
@@ -95,9 +96,9 @@ def behind_heads(root: Path, settings: WorkspaceSettings) -> Callable[[tuple[tup
     They are not after a forced push, and where the workspace holds other repositories now. None if unknown.
     """
     try:
-        places = places_of(root, settings)
+        places = read_watched(str(root), places_of, root, settings)
         known = {place: _commits_behind(root / place) for place in places}
-    except UsageError:
+    except (UsageError, LostReaderError):
         return None
 
     def is_behind(commits: tuple[tuple[str, str], ...]) -> bool:

@@ -7,9 +7,28 @@ from pathlib import Path
 
 from roslens.cli.workplace.accepted_file import accepted_file_of, entries_of, with_findings, write_entries
 from roslens.dashboard.review import Reviewed
-from roslens.model.errors import RoslensError
+from roslens.model.errors import RoslensError, UsageError
 from roslens.model.finding import Finding
 from roslens.model.set_aside import Disposition
+from roslens.source.engines.watched_reader import LostReaderError, read_watched
+from roslens.source.workspace.acceptances import Acceptance
+
+MOST_HERE = 1_000_000
+"""Bytes of a file that is read in this process, which answers meanwhile: more can take seconds, and gigabytes."""
+
+
+def _entries_of(place: Path) -> tuple[Acceptance, ...]:
+    try:
+        if place.stat().st_size <= MOST_HERE:
+            return entries_of(place)
+    except OSError:
+        return entries_of(place)
+    try:
+        return read_watched("", entries_of, place)
+    except LostReaderError as error:
+        raise UsageError(
+            f"{place}: {error}", expected="TOML with [[accepted]] tables", advice="Fix the file"
+        ) from error
 
 
 class Reviewing:
@@ -32,7 +51,7 @@ class Reviewing:
         if stamp != self._stamp:
             self._stamp = stamp
             try:
-                known = entries_of(self._place)
+                known = _entries_of(self._place)
             except RoslensError:
                 known = ()
             self._entries = {
@@ -50,7 +69,7 @@ class Reviewing:
             return f"{fingerprint[:40]!r} is the fingerprint of no finding of this run."
         state = Disposition.FALSE_POSITIVE if false_positive else Disposition.ACCEPTED
         try:
-            write_entries(self._place, with_findings(entries_of(self._place), meant[:1], reason, state))
+            write_entries(self._place, with_findings(_entries_of(self._place), meant[:1], reason, state))
         except (RoslensError, OSError) as error:
             return f"{self._place}: {error}"
         return ""
@@ -58,7 +77,7 @@ class Reviewing:
     def undo(self, fingerprint: str) -> str:
         """Take that back; return why not, if not."""
         try:
-            entries = entries_of(self._place)
+            entries = _entries_of(self._place)
             kept = [one for one in entries if one.fingerprint != fingerprint]
             if len(kept) == len(entries):
                 return f"{fingerprint[:40]!r} is the fingerprint of nothing that is accepted."

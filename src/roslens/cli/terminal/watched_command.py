@@ -22,8 +22,8 @@ from roslens.intake.file_budget import Slot, refuse, watch, why_ended
 
 WATCHED = frozenset(
     {
-        "accept", "check", "compare", "doctor", "evidence", "explain", "graph", "history", "init", "interfaces",
-        "percentile", "plugins", "port", "report", "roles", "study", "trend", "trust", "why",
+        "accept", "check", "compare", "completion", "doctor", "evidence", "explain", "graph", "history", "init",
+        "interfaces", "percentile", "plugins", "port", "reference", "report", "roles", "study", "trend", "trust", "why",
     }
 )  # fmt: skip
 """Commands that read a workspace and end."""
@@ -32,8 +32,8 @@ UNWATCHED = frozenset(
     {
         # These go on, and have a process of its own read it, which they watch (`WatchedReader`).
         "lsp", "serve",
-        # These read no file of a workspace but configuration and YAML, both of which have limits of their own.
-        "agent", "clean", "completion", "env", "fetch", "journal", "react", "reference", "run", "top", "watch",
+        # These read no file of a workspace but configuration and YAML, which their own limits keep small.
+        "agent", "clean", "env", "fetch", "journal", "react", "run", "top", "watch",
     }
 )  # fmt: skip
 

@@ -34,8 +34,8 @@ from roslens.source.settings import (
 )
 
 FILE_NAME = "roslens.toml"
-MOST_BYTES = 5_000_000
-"""A larger configuration is refused, and a larger pyproject.toml is none."""
+MOST_BYTES = 1_000_000
+"""Of a configuration: hundreds of times what one needs. Commands that nobody watches read it in their own process."""
 
 
 class Configuration(msgspec.Struct, frozen=True):
@@ -115,7 +115,8 @@ def find_configuration(start: Path, given: str | None) -> Configuration:
 
 def _has_table(pyproject: Path) -> bool:
     try:
-        return b"[tool.roslens" in read_bounded(pyproject, MOST_BYTES)
+        # One that is larger than a configuration may be is refused where it is read, not passed over.
+        return b"[tool.roslens" in read_bounded(pyproject)
     except OSError:
         return False
 
@@ -141,7 +142,10 @@ def _text(path: Path) -> str:
         return read_bounded(path, MOST_BYTES).decode("utf-8-sig")
     except TooLargeError as error:
         raise DocumentError(
-            str(error.strerror), where=str(path), expected="a TOML file", advice="Remove it, or give another --config"
+            str(error.strerror),
+            where=str(path),
+            expected="a TOML file",
+            advice="Remove what it does not need, or give another --config",
         ) from error
     except UnicodeDecodeError as error:
         raise DocumentError(
@@ -322,7 +326,7 @@ class _Reader:
         current: list[str] = []
         whole = ".".join((*table, last))
         for number, line in enumerate(self._lines, 1):
-            if header := re.match(r"\s*\[\[?\s*([^\]]+?)\s*\]", line):
+            if header := re.match(r"\s*\[\[?([^\]]+)\]", line):
                 current = [part.strip().strip("\"'") for part in header[1].split(".")]
                 if ".".join(current) == whole:
                     return Location(str(self._path), number, line.index("[") + 1)

@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any, TypeVar, cast
 
 from roslens.children.safe_path import NEUTRAL, python_words, safe_environment
-from roslens.intake.file_budget import Slot, refuse_only, refused, share_memory, watch, why_ended
+from roslens.intake.file_budget import Slot, is_watched, refuse_only, refused, share_memory, watch, why_ended
 
 Result = TypeVar("Result")
 Heard = Callable[..., None]
@@ -136,6 +136,27 @@ class WatchedReader:
                 if found is not None:
                     return found.st_mtime_ns, found.st_size, found.st_ino
         return None
+
+
+def read_watched(root: str, function: Callable[..., Result], *given: object) -> Result:
+    """Return what a function makes of arguments: here if another process watches this one, else in one of its own.
+
+    Args:
+        root: folder to which paths of files are relative.
+        function: of a module.
+        given: arguments, which can be pickled.
+
+    Raises:
+        LostReaderError: the process ended, and not by a file.
+        Exception: what the function raises.
+    """
+    if is_watched():
+        return function(*given)
+    reader = WatchedReader(root)
+    try:
+        return reader.ask(function, *given)
+    finally:
+        reader.end()
 
 
 class _Process:

@@ -3,9 +3,12 @@
 import json
 
 import pytest
+from cli.commands.test_why import every, recording
 from dashboard.conftest import Client
 from dashboard.live.scripted_robot import ScriptedRobot
 
+from roslens.cli.commands.serve import _beside
+from roslens.cli.main import parser
 from roslens.cli.page.why_page import WhyPage
 from roslens.dashboard.live.app import create_live_app
 from roslens.live.agent.ros_environments import RosEnvironments
@@ -50,6 +53,16 @@ def test_alerts_have_the_first_cause_and_the_page_shows_it_without_script(robot,
     (scan,) = (one for entity, one in alerts.items() if entity in ("topic:/scan", "node:/lidar"))
     assert scan.why
     assert scan.why in client.get("/").text
+
+
+def test_a_recording_is_asked_what_it_has(tmp_path):
+    bag = recording(tmp_path / "drive", {"/a": every(0.1, 20), "/b": every(0.1, 60)})
+    options = parser().parse_args(["serve", str(tmp_path), "--bag", str(bag)])
+    with _beside(options, "", None) as (page, _):
+        found = json.loads(page.why.page("topic:/a"))
+        assert found["looked_at"] == ["recording: drive"]
+        assert found["cause"]["says"].startswith("it stopped: the last message came at 20.00 s")
+        assert json.loads(page.why.page("topic:/b"))["cause"] is None
 
 
 def test_programs_of_another_domain_are_looked_for_once_in_a_while(robot):

@@ -219,6 +219,13 @@ def _beside(
             yield beside
         return
     with _shown_beside(options) as page:
+        if page is not None and options.bag:
+            from functools import cache
+
+            from roslens.cli.why.recorded_evidence import recorded_evidence
+
+            # Read when it is asked for the first time.
+            page.why.recorded = cache(lambda: recorded_evidence(options, ()))
         yield page, None
 
 

@@ -77,6 +77,11 @@ class WhyPage:
         self.declared: Callable[[str], Declared | None] | None = None
         self.recorded: Callable[[], Recorded] | None = None
 
+    def look_in(self, domain: int | None) -> None:
+        """Let the observers be in a domain; None is that of their environment."""
+        if domain is not None:
+            self._here[DOMAIN] = str(domain)
+
     def take(self, step: Step) -> None:
         """Remember which nodes ended."""
         for one in step.events:

@@ -34,7 +34,7 @@ def live_beside(options: argparse.Namespace) -> Iterator[PageSource]:
     session = Session(files.reference, start=time.time())
     sources = sources_of(options)
     handled = notes_beside(None, platform.node(), os.environ)
-    page, shown = page_of(session, platform.node(), time_of_day, handled=handled)
+    page, shown = page_of(session, platform.node(), time_of_day, handled=handled, domain=options.domain)
 
     def report(step: Step) -> None:
         shown(files.renew(session, step))

@@ -79,7 +79,15 @@ def _watched(
             recall = history.recall() if history is not None else None
             handled = notes_beside(options.history, platform.node(), os.environ)
             page, shown = page_beside(
-                stack, session, platform.node(), address, time_of_day, door, recall=recall, handled=handled
+                stack,
+                session,
+                platform.node(),
+                address,
+                time_of_day,
+                door,
+                recall=recall,
+                handled=handled,
+                domain=options.domain,
             )
             sinks.append(shown)
         on_screen = sys.stdout.isatty() and options.format == "text" and options.output is None

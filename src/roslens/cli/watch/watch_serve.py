@@ -71,14 +71,17 @@ def page_of(
     clock: Callable[[float], str],
     recall: Recall | None = None,
     handled: HandledAlerts | None = None,
+    domain: int | None = None,
 ) -> tuple[PageSource, Callable[[Step], None]]:
     """Return what shows a session that goes on, and what to tell each step.
 
-    Its past is that of ``recall``, which somebody else keeps; without one the last hours are kept in memory.
+    Its past is that of ``recall``, which somebody else keeps; without one the last hours are kept in memory. ``domain``
+    is that of ROS 2 that is watched; None is that of the environment.
     """
     source = PageSource(
         title, clock=clock, live=True, steady=time.monotonic, handled=handled, spent=time.thread_time
     )  # fmt: skip
+    source.why.look_in(domain)
     keeper = None
     if recall is None:
         keeper = in_memory(session)
@@ -106,14 +109,14 @@ def page_of(
 def page_beside(
     stack: contextlib.ExitStack, session: Session, title: str, address: tuple[str, int],
     clock: Callable[[float], str], door: Door | None = None, further: Further | None = None,
-    recall: Recall | None = None, handled: HandledAlerts | None = None,
+    recall: Recall | None = None, handled: HandledAlerts | None = None, domain: int | None = None,
 ) -> tuple[str, Callable[[Step], None]]:  # fmt: skip
     """Serve a session that goes on until ``stack`` is left; return where, and what to tell each step.
 
     Raises:
         UsageError: the address cannot be listened on.
     """
-    source, report = page_of(session, title, clock, recall, handled)
+    source, report = page_of(session, title, clock, recall, handled, domain)
     return stack.enter_context(serve(source, address, door, further)).url, report
 
 

@@ -6,6 +6,8 @@ const SIGNS = { ok: "✔", not: "✖", "cannot be seen": "?" };
 const WORDS = { ok: "as it should be", not: "not as it should be", "cannot be seen": "cannot be seen" };
 const ASKED_OF = new Set(["topic", "node", "service", "action", "connection"]);
 const BAD = new Set(["absent", "low", "high"]);
+/** What was told is asked for again after so long. */
+const AGAIN_MS = 5000;
 
 export class Why {
   /** `at` returns the moment that is shown, null for now: of the past nothing is asked. */
@@ -15,21 +17,23 @@ export class Why {
     this.entity = "";
     this.form = "";
     this.told = "";
+    this.asked = -Infinity;
+    this.shown = "";
   }
 
   /** Show nothing of what was chosen before. */
   clear() {
-    this.entity = this.form = this.told = "";
+    this.entity = this.form = this.told = this.shown = "";
     this.element.hidden = true;
     this.element.replaceChildren();
   }
 
-  /** What is wrong is explained at once, and anew when its states change; of anything else one may ask. */
+  /** What is wrong is explained at once, and anew when its states change and each 5 s; of anything else one may ask. */
   update(about) {
     if (this.at() !== null || !ASKED_OF.has(about.entity.split(":", 1)[0])) return this.clear();
     const states = (about.judgements || []).map((one) => one.state);
     const form = JSON.stringify([about.entity, about.gone || false, states]);
-    if (form === this.form) return undefined;
+    if (form === this.form) return this.told && performance.now() - this.asked >= AGAIN_MS ? this.ask() : undefined;
     const other = about.entity !== this.entity;
     this.form = form;
     this.entity = about.entity;
@@ -41,6 +45,7 @@ export class Why {
 
   async ask() {
     const { entity } = this;
+    this.asked = performance.now();
     try {
       const answer = await fetch(`why.json?select=${encodeURIComponent(entity)}`);
       if (entity !== this.entity) return;
@@ -53,10 +58,10 @@ export class Why {
   }
 
   draw(found) {
-    if (found.entity.split(":", 1)[0] === "topic" || found.entity === this.entity) this.write(found);
-  }
-
-  write(found) {
+    const form = JSON.stringify(found);
+    // What stays as it is is not touched: somebody may be reading or copying it.
+    if (form === this.shown) return;
+    this.shown = form;
     const { cause } = found;
     const open = this.element.querySelector("details")?.open ?? false;
     const count = found.steps.length;

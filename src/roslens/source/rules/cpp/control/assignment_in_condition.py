@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -10,6 +11,11 @@ from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+
+_CONSTANT = re.compile(
+    r"[-+]?(?:\d[\w.]*|true|false|nullptr|NULL|'(?:\\?.)'|(?:\w+::)*(?:[A-Z][A-Z0-9]*_?)+|(?:\w+::)*k[A-Z]\w*)"
+)
+"""A literal, or a name that is written as those of constants are."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -20,20 +26,25 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if value is None or value.type != "assignment_expression":
         return
     if view.text(value.child_by_field_name("operator")) == "=":
+        # Nobody assigns a constant to ask for it; what a function returns may be meant.
+        is_constant = _CONSTANT.fullmatch(view.text(value.child_by_field_name("right"))) is not None
+        always = ": it has one result whatever the value was" if is_constant else ""
         yield view.hit(
             "cpp.assignment_in_condition",
             value,
-            f"`{view.short(value)}` assigns in a condition; expected `==`, or parentheses around it",
+            f"`{view.short(value)}` assigns in a condition{always}; expected `==`, or parentheses around it",
+            certainty=None if is_constant else Certainty.HEURISTIC,
         )
 
 
 RULE = FileRule(
     id="cpp.assignment_in_condition",
     title="Assignment as a condition",
-    finds="`if (a = b)` or `while (a = b)` without a second pair of parentheses. Write `==`, or assign before.",
+    finds="`if (a = b)` or `while (a = b)` without a second pair of parentheses. Write `==`, or assign before. "
+    "It is a note unless what is assigned is a literal or a constant.",
     why="The state of the robot is overwritten by the test for it, and the branch is taken always or never.",
-    consequence=Consequence.MAY_BE_WRONG,
-    certainty=Certainty.HEURISTIC,
+    consequence=Consequence.WRONG,
+    certainty=Certainty.LIKELY,
     profiles=(
         "ros2",
         "ros1",

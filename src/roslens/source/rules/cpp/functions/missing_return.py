@@ -17,6 +17,11 @@ _ENDS = re.compile(
     rb"\b(?:return|co_return|co_yield|co_await|throw|exit|_exit|abort|terminate|asm|goto|longjmp|exec[lv]\w*|[A-Za-z_]*(?:RETURN|THROW|FAIL|ASSERT|ABORT|UNREACHABLE|FATAL|NOT_IMPLEMENTED)[A-Z_]*|__builtin_\w+|unreachable)\b"
     rb"|\b(?:while|for)\s*\(\s*(?:1|true|;\s*;)\s*\)|#"
 )
+_OPEN = re.compile(rb"\bgoto\b|\basm\b|#|\bco_return\b|\bco_yield\b|\bco_await\b")
+"""With it in a body nobody knows where it ends."""
+_NO_WAY_BACK = re.compile(r"(?i)error|fatal|fail|die$|panic|abort|exit|throw|raise|unreachable|terminate|assert|check")
+"""In the name of a function that may not return."""
+_GOING_ON = frozenset({"expression_statement", "declaration", "for_range_loop", "do_statement"})
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
 
 _CALLED = re.compile(r"([A-Za-z_]\w*)\s*\(")
@@ -25,25 +30,57 @@ _CALLED = re.compile(r"([A-Za-z_]\w*)\s*\(")
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a function that has a type of result and a body, and never returns one."""
     body = node.child_by_field_name("body")
-    if body is None or view.code.find(b"return", body.start_byte, body.end_byte) >= 0:
+    if body is None:
+        return
+    returns = view.code.find(b"return", body.start_byte, body.end_byte) >= 0
+    if returns and not _falls_off(body, view):
         return
     kind = node.child_by_field_name("type")
     if kind is None or not body.named_child_count or body.type != "compound_statement":
         return
     text = view.text(kind)
     declarator, function = node.child_by_field_name("declarator"), function_declarator(node)
-    if declarator is None or function is None or node.has_error or not _is_result(text):
+    if declarator is None or function is None or node.has_error:
+        return
+    text += " *" if declarator.type == "pointer_declarator" else ""
+    if not _is_result(text):
         return
     if node.type == "function_definition" and "noreturn" in view.short(node):
         return
     name = view.text(name_node(function))
-    if name in ("main", "wmain", text) or "~" in name or _MACRO.fullmatch(name) or _never_ends(body, view):
+    if name in ("main", "wmain", text) or "~" in name or _MACRO.fullmatch(name):
+        return
+    if not returns and _never_ends(body, view):
         return
     if declarator.type == "function_declarator" and "->" in view.text(declarator) and "void" in view.text(declarator):
+        return
+    if returns:
+        last = _last(body)
+        what = f"`{name}` returns {text}, and its end is reached behind line {last.end_point[0] + 1}"
+        yield view.hit("cpp.missing_return", function, f"{what}; expected a `return` there")
         return
     yield view.hit(
         "cpp.missing_return", function, f"`{name}` returns {text} but has no `return`; expected one, or `void`"
     )
+
+
+def _last(body: Node) -> Node:
+    """Return the last statement of a body, or the body where it has none."""
+    return next((one for one in reversed(body.named_children) if one.type != "comment"), body)
+
+
+def _falls_off(body: Node, view: FileView) -> bool:
+    """Return whether the end of a body is reached, as its last statement tells: one that always goes on."""
+    last = _last(body)
+    if last.type not in _GOING_ON or any(one.type == "return_statement" for one in body.named_children):
+        return False
+    called = _CALLED.findall(view.text(last)) if last.type == "expression_statement" else []
+    if any(map(_NO_WAY_BACK.search, called)):
+        return False
+    # A loop may return, and go on all the same.
+    if not last.type.startswith("for") and _ENDS.search(view.code, last.start_byte, last.end_byte):
+        return False
+    return not _OPEN.search(view.code, body.start_byte, body.end_byte) and not _ends_in_macro(body, view)
 
 
 def _is_result(text: str) -> bool:
@@ -74,8 +111,8 @@ RULE = FileRule(
     id="cpp.missing_return",
     title="No `return` in a function that has a value",
     finds="A function with a result whose body has statements, but no `return`, no `throw` and nothing that "
-    "ends the process. Return something. In a function that nothing in the package calls, and no other package can, "
-    "it is a note.",
+    "ends the process, or whose last statement goes on to its end. Return something. In a function that nothing in the "
+    "package calls, and no other package can, it is a note.",
     why="The value is whatever lies in a register: compilers may even remove the end of the function, and the "
     "node runs into the next one.",
     consequence=Consequence.WRONG,

@@ -8,7 +8,7 @@ from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import callee_name, function_name
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.flow.python_callbacks import python_callbacks
 from roslens.source.rules.flow.python_returns import Returns, returns_of
 from roslens.source.rules.flow.summary import CallbackKind, Registration
@@ -26,6 +26,7 @@ _NEEDS: Mapping[CallbackKind, tuple[str, str]] = {
     CallbackKind.CANCEL: ("rclpy refuses to cancel", "`return CancelResponse.ACCEPT` or `REJECT`"),
 }
 """What follows, and what is expected."""
+_LITERALS = frozenset(("true", "false", "integer", "float", "string"))
 _ROS1 = ("the call fails: `service handler returned None`", "`return` with the response")
 
 
@@ -58,7 +59,13 @@ def _hit(one: Registration, returns: Returns, view: FileView) -> Hit | None:
     function = one.target.function
     follows, expected = _ROS1 if one.is_ros1 else _NEEDS[one.kind]
     name = f"callback `{function_name(function, view)}`"
-    if returns.is_generator or not (returns.falls_off or returns.empty):
+    if returns.is_generator:
+        return None
+    if one.kind is CallbackKind.SERVICE and not one.is_ros1 and (value := _literal_of(function, returns, view)):
+        at, text = value
+        message = f"{name} of a {_spoken(one)} returns {text}, which is no response: {follows}; expected {expected}"
+        return view.hit("node.callback_returns_nothing_python", at, message, certainty=Certainty.LIKELY)
+    if not (returns.falls_off or returns.empty):
         return None
     if not returns.values:
         at = function.child_by_field_name("name") or function
@@ -76,6 +83,21 @@ def _hit(one: Registration, returns: Returns, view: FileView) -> Hit | None:
     return view.hit("node.callback_returns_nothing_python", at, message, certainty=Certainty.LIKELY)
 
 
+def _literal_of(function: Node, returns: Returns, view: FileView) -> tuple[Node, str] | None:
+    """Return where a function returns a literal, or a name that it gives one, and how that is written."""
+    for statement in returns.values:
+        value = statement.named_children[0]
+        if value.type in _LITERALS:
+            return statement, f"`{view.short(value)}`"
+        if value.type != "identifier":
+            continue
+        for assigned in below(function, "assignment", inside=("function_definition", "lambda", "class_definition")):
+            right, left = assigned.child_by_field_name("right"), assigned.child_by_field_name("left")
+            if right is not None and right.type in _LITERALS and view.text(left) == view.text(value):
+                return assigned, f"`{view.short(value)}` when that is `{view.short(right)}`"
+    return None
+
+
 def _spoken(one: Registration) -> str:
     if one.kind is CallbackKind.SERVICE:
         return "service"
@@ -86,8 +108,8 @@ RULE = FileRule(
     id="node.callback_returns_nothing_python",
     title="Callback that returns nothing where a result is needed (Python)",
     finds="A callback of a service, of parameters or of an action (execute, goal, cancel) that returns nothing, or "
-    "nothing on some way to its end. In rospy a service may return None to say that it failed, so that only one that "
-    "never returns anything is reported.",
+    "nothing on some way to its end; in rclpy also a service that returns a literal such as `False`. In rospy a "
+    "service may return None to say that it failed, so that only one that never returns anything is reported.",
     why="rclpy takes what the callback returns for the answer: with None a service or a change of a parameter ends "
     "the node with an exception, a goal is rejected or its result never comes.",
     consequence=Consequence.WRONG,

@@ -25,6 +25,8 @@ _THROWN = frozenset(
     )
 )
 """Types of what a look-up throws, and of their bases."""
+_ONE_OF_SEVERAL = frozenset(("LookupException", "ConnectivityException", "ExtrapolationException"))
+"""Each for another reason why a transform is not known: at a start all three come, one after the other."""
 _ASKED = rb"!\s*%(n)s\b|\b%(n)s(?:\.|->)(?:has_value|value|error|is_initialized)\b|if\s*\(\s*%(n)s\s*[)&|]"
 _FEWEST = 3
 
@@ -62,11 +64,15 @@ def _reached(chain: Chain) -> str:
 
 
 def _is_caught(call: Node, view: FileView) -> bool:
-    return any(catches(_THROWN, one, view) for one in handlers_around(call))
+    handlers = list(handlers_around(call))
+    if not any(catches(_THROWN, one, view) for one in handlers):
+        return False
+    kinds = {caught_type(one, view).rpartition("::")[2] for one in handlers}
+    return not (kinds <= _ONE_OF_SEVERAL and len(kinds) == 1)
 
 
 def _other_handler(call: Node, view: FileView) -> str:
-    """Return what a ``try`` around a look-up catches, none of which it throws; empty without any."""
+    """Return what a ``try`` around a look-up catches, which is not all that it throws; empty without any."""
     caught = [caught_type(one, view) for one in handlers_around(call)]
     return ", ".join(f"`{one}`" for one in caught)
 
@@ -100,9 +106,9 @@ def _is_asked(call: Node, body: Node, view: FileView) -> bool:
 RULE = FileRule(
     id="node.transform_unhandled",
     title="Unhandled exception of a transform look-up",
-    finds="`lookupTransform` outside of `try`, or in one that catches other exceptions, in a callback or what it calls "
-    "in the same file, where nothing asks `canTransform` or waits before. Catch `tf2::TransformException` and go on "
-    "without.",
+    finds="`lookupTransform` outside of `try`, or in one that catches other exceptions or `LookupException` alone, in "
+    "a callback or what it calls in the same file, where nothing asks `canTransform` or waits before. Catch "
+    "`tf2::TransformException` and go on without.",
     why="At start, and whenever a localisation is late, the transform is not there, and the look-up throws: the node "
     "ends "
     "in the middle of a drive.",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from hashlib import sha256
-from posixpath import dirname
+from posixpath import basename, dirname
 
 import msgspec
 
@@ -47,6 +47,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
         dependents: names of the packages that depend on it, also through others, sorted; with each, whether one of the
             dependencies on the way is of a build or a test.
         declared: what any package of the workspace declares, sorted, where it may name plug-ins or libraries.
+        definitions: the messages, services and actions of these and of its own, as ``msg/Load``, by package.
     """
 
     inside: str = ""
@@ -59,6 +60,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     own: tuple[str, ...] = ()
     dependents: Dependents = ()
     declared: tuple[str, ...] = ()
+    definitions: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
 
 def surroundings_of(
@@ -77,6 +79,7 @@ def surroundings_of(
     folders = frozenset(one.path for one in own)
     names = frozenset(one.name for one in own)
     dependents = dependents_of(own)
+    defined = _defined(own, files)
     declared = _declared(own)
     asking: dict[str, dict[str, Package]] = {}
     for one in own:
@@ -91,6 +94,7 @@ def surroundings_of(
             launched_by = ()
         inside = next((above for above in _above(one.path) if above in folders), "")
         users = tuple(file for other in by for file in files.get(other.id, ()) if _may_use(file))
+        asked = tuple(sorted(names & {one.name, *(dependency.name for dependency in one.dependencies)}))
         starts = any(file.language in _STARTING for file in files.get(one.id, ()))
         found[one.id] = Surroundings(
             inside,
@@ -100,9 +104,10 @@ def surroundings_of(
             every if starts else (),
             started if starts else Started(),
             targets.get(one.id, Target()),
-            tuple(sorted(names & {one.name, *(dependency.name for dependency in one.dependencies)})),
+            asked,
             dependents[one.name],
             _named_among(declared, files.get(one.id, ())),
+            tuple((name, defined[name]) for name in asked if name in defined),
         )
     return found
 
@@ -111,6 +116,17 @@ def _started(files: Sequence[SourceFile]) -> Started:
     read = sorted((file.path, file.content_hash) for file in files if file.language in (*_STARTING, Language.YAML))
     paths = tuple(sorted(file.path for file in files if file.language in _STARTING))
     return Started(paths, sha256(repr(read).encode()).hexdigest()[:32])
+
+
+def _defined(packages: Sequence[Package], files: Mapping[str, Sequence[SourceFile]]) -> Mapping[str, tuple[str, ...]]:
+    """Return what packages define, by their name; of packages of one name together."""
+    found: dict[str, set[str]] = {}
+    for one in packages:
+        for file in files.get(one.id, ()):
+            if file.language in _DEFINITIONS:
+                kind = file.language.value.lower()
+                found.setdefault(one.name, set()).add(f"{kind}/{basename(file.path).rpartition('.')[0]}")
+    return {name: tuple(sorted(of)) for name, of in found.items()}
 
 
 def _declared(packages: Sequence[Package]) -> tuple[str, ...]:

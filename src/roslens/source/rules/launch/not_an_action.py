@@ -7,6 +7,10 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
+from roslens.source.rules.file_view import below
+from roslens.source.rules.flow.python_functions import python_functions
+from roslens.source.rules.flow.python_parameters import parameters_of
+from roslens.source.rules.flow.summary import Target
 from roslens.source.rules.launch.each_call import each_call
 from roslens.source.rules.rule import FileRule
 from roslens.source.rules.signatures.read_signatures import ACTION, CONDITION, ENTITY, HANDLER, SOURCE, SUBSTITUTION
@@ -69,11 +73,36 @@ def _single(call: LaunchCall, code: LaunchCode) -> _Found:
         sort = code.sort(function)
         if sort in (TEXT, LIST, NOTHING, ACTION, ENTITY):
             yield function, f"OpaqueFunction is given {in_words(sort)}: a TypeError; expected a function"
+        elif what := _opaque(function, code):
+            yield function, what
     if call.name == "RegisterEventHandler" and handler is not None:
         sort = code.sort(handler)
         if sort in (ACTION, SUBSTITUTION, CONDITION, LIST, TEXT):
             what = f"RegisterEventHandler is given {in_words(sort)}: the launch ends there"
             yield handler, f"{what}; expected an event handler such as `OnProcessExit(…)`"
+
+
+def _opaque(given: Node, code: LaunchCode) -> str:
+    """Return what is wrong with the function of an OpaqueFunction; empty where nothing is."""
+    functions = python_functions(code.view)
+    if given.type == "call":
+        called = functions.called(given)
+        makes_one = any(next(below(one.function, "function_definition", "lambda"), None) for one in called)
+        if called and not makes_one and all(_is_function_of_file(one) for one in called):
+            name = code.view.text(given.child_by_field_name("function"))
+            return f"`{code.view.short(given)}` calls the function while the file is read; expected `{name}` itself"
+        return ""
+    targets = functions.meant(given)
+    if len(targets) != 1 or not targets[0].is_exact or targets[0].bound or not _is_function_of_file(targets[0]):
+        return ""
+    if list(parameters_of(targets[0].function, code.view)):
+        return ""
+    name = code.view.text(given)
+    return f"`{name}` takes no argument, and launch gives it the context: a TypeError; expected `def {name}(context)`"
+
+
+def _is_function_of_file(target: Target) -> bool:
+    return target.function.type == "function_definition"
 
 
 def _targets(call: LaunchCall, code: LaunchCode) -> _Found:
@@ -94,8 +123,8 @@ RULE = FileRule(
     title="Something else where launch needs an action",
     finds="What is no action in the list of a `LaunchDescription`, `GroupAction` or `TimerAction`: an event handler "
     "without `RegisterEventHandler`, a `ComposableNode`, a text, None, a list. An action instead of a list, of an "
-    "event handler or of a function; and a target of `OnProcessExit`, `OnProcessStart` or `OnProcessIO` that is no "
-    "process.",
+    "event handler or of a function; a function for `OpaqueFunction` that is called there, or takes no context; and a "
+    "target of `OnProcessExit`, `OnProcessStart` or `OnProcessIO` that is no process.",
     why="launch raises an exception when it comes there: what follows does not start.",
     consequence=Consequence.STOPS_START,
     certainty=Certainty.PROVEN,

@@ -9,6 +9,7 @@ from pathlib import Path
 import msgspec
 
 _TABLE = "messages.toml"
+_WHOLE = frozenset({"builtin_interfaces", "std_msgs", "geometry_msgs", "sensor_msgs", "diagnostic_msgs", "std_srvs"})
 
 
 class Fields(msgspec.Struct, frozen=True):
@@ -26,6 +27,22 @@ class Fields(msgspec.Struct, frozen=True):
 def fields_of(kind: str) -> Fields | None:
     """Return the fields of ``package/Name``, of a service ``package/Name_Request``; None where they are not known."""
     return _fields().get(kind)
+
+
+@cache
+def whole_packages() -> Mapping[str, frozenset[str]]:
+    """Return the names of all interfaces of the packages that the table has whole, by ``package/msg`` or ``/srv``."""
+    found: dict[str, set[str]] = {}
+    for name in _fields():
+        package, _, interface = name.partition("/")
+        service = interface.removesuffix("_Request")
+        if package in _WHOLE and not interface.endswith(("_Request", "_Response")):
+            found.setdefault(f"{package}/msg", set()).add(interface)
+        elif package in _WHOLE and service != interface:
+            found.setdefault(f"{package}/srv", set()).add(service)
+    found["sensor_msgs/srv"] = {"SetCameraInfo"}
+    found["diagnostic_msgs/srv"] = {"AddDiagnostics", "SelfTest"}
+    return {name: frozenset(of) for name, of in found.items()}
 
 
 @cache

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from difflib import get_close_matches
 
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
-from roslens.source.rules.calls import arguments, call_at, receiver
+from roslens.source.rules.calls import arguments, call_at, function_around, is_handled, receiver
 from roslens.source.rules.file_view import FileView, above, below
+from roslens.source.rules.flow.python_functions import python_functions
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.node.parameters.declared_names_python import declared_names
 from roslens.source.rules.node.parameters.undeclared import declares_nothing, is_always_there
 from roslens.source.rules.rule import RCLPY, FileRule
 
+_QUOTES = ("'", '"')
 _NODES = ("(Node)", "(rclpy.node.Node)")
 
 
@@ -21,15 +25,38 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a read of a parameter by a node of a file that declares nothing."""
     call = call_at(node)
     given = arguments(call) if call is not None else ()
-    if call is None or len(given) != 1 or is_always_there(view.text(given[0])) or not declares_nothing(view):
+    if call is None or len(given) != 1 or is_always_there(view.text(given[0])):
         return
-    if _is_node(receiver(call), call, view):
-        name = view.text(given[0])
+    name = view.text(given[0])
+    if not declares_nothing(view):
+        yield from _among_others(call, given[0], view)
+    elif _is_node(receiver(call), call, view):
         yield view.hit(
             "node.parameter_undeclared_python",
             call,
             f"parameter `{name}` is declared nowhere in this file, so that `get_parameter` raises "
             f"ParameterNotDeclaredException; expected `declare_parameter({name}, …)` before it",
+        )
+
+
+def _among_others(call: Node, given: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a read of a name that is none of those that the class declares, all of which are known."""
+    functions = python_functions(view)
+    of = functions.class_around(call)
+    if of is None or view.text(given)[:1] not in _QUOTES or not functions.is_self(receiver(call)) or is_handled(call):
+        return
+    declared = declared_names(of, functions, view)
+    name = view.text(given).strip("'\"")
+    function = function_around(call)
+    asks = function is not None and "has_parameter" in view.text(function)
+    if declared and name not in declared and not asks:
+        near = get_close_matches(name, sorted(declared), 1, 0.5)
+        expected = f"`'{near[0]}'`" if near else f"`declare_parameter('{name}', …)` before it"
+        yield view.hit(
+            "node.parameter_undeclared_python",
+            call,
+            f"parameter '{name}' is none of those that `{of.name}` declares, so that `get_parameter` raises "
+            f"ParameterNotDeclaredException; expected {expected}",
         )
 
 
@@ -64,7 +91,8 @@ RULE = FileRule(
     title="Parameter read and not declared (rclpy)",
     finds="`get_parameter` in the constructor of a class derived from `Node` alone, or of a node that "
     "`rclpy.create_node` makes, in a file that declares no parameter at all and sets neither "
-    "`allow_undeclared_parameters` nor `automatically_declare_parameters_from_overrides`.",
+    "`allow_undeclared_parameters` nor `automatically_declare_parameters_from_overrides`; and of a name that is none "
+    "of those which such a class declares, where all of these are written out.",
     why="Since ROS 2 Dashing only declared parameters exist: `get_parameter` raises ParameterNotDeclaredException, "
     "also where a parameter file gives a value. Mostly the node ends at start.",
     consequence=Consequence.STOPS_START,

@@ -27,8 +27,12 @@ _DECLARING = b"declare_parameter"
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a second declaration, and each in a class whose nodes declare whatever they are given."""
     if view.text(node) == _DECLARING.decode():
-        yield from _twice(node, view)
-        return
+        return _twice(node, view)
+    return _beside_overrides(node, view)
+
+
+def _beside_overrides(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each declaration of a parameter in a class whose nodes declare whatever they are given."""
     given = node.parent
     made = above(node, "call")
     around = above(node, "class_definition")

@@ -1,4 +1,4 @@
-"""Rule ``node.uninitialised_node_python``: a node that is used before, or without, its base being made."""
+"""Rule ``node.uninitialised_node_python``: a node that is used before its base is made."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _MAKES = re.compile(r"super\(|Node\.__init__|\.__init__\(")
 
 
 def found(_root: Node, view: FileView) -> Iterator[Hit]:
-    """Yield the first use of each node of the file that its constructor makes later, or never."""
+    """Yield the first use of each node of the file that its constructor makes later."""
     functions = python_functions(view)
     for of in functions.classes.values():
         constructor = of.methods.get("__init__")
@@ -36,37 +36,28 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
 
 def _too_early(constructor: Node, name: str, functions: PythonFunctions, view: FileView) -> Iterator[Hit]:
     """Yield the first call in a constructor that needs the base, before the base is made."""
-    makes = _MAKES.search(view.text(constructor))
     text = view.text(constructor)
-    start = constructor.start_byte + len(text[: makes.start()].encode()) if makes else constructor.end_byte
-    if makes is None and _hands_itself_on(constructor, functions, view):
-        return
+    makes = _MAKES.search(text)
+    # A base that is never made is told by node.base_not_initialised_python.
+    start = constructor.start_byte + len(text[: makes.start()].encode()) if makes is not None else -1
     for call in functions.calls_in(constructor):
         function = call.child_by_field_name("function")
         method = view.text(function.child_by_field_name("attribute")) if function is not None else ""
         if method in _NEEDS and functions.is_self(receiver(call)) and call.start_byte < start:
-            when = "before" if makes else "and the constructor never calls"
             yield view.hit(
                 "node.uninitialised_node_python",
                 call,
-                f"`self.{method}` is called {when} `super().__init__`: `{name}` is no node yet, an AttributeError; "
+                f"`self.{method}` is called before `super().__init__`: `{name}` is no node yet, an AttributeError; "
                 "expected `super().__init__('name')` as the first line of `__init__`",
             )
             return
-
-
-def _hands_itself_on(constructor: Node, functions: PythonFunctions, view: FileView) -> bool:
-    """Return whether a constructor gives its object to a function, which may make the base."""
-    return any(
-        re.search(r"[(,]\s*self\s*[,)]", view.text(call)) is not None for call in functions.calls_in(constructor)
-    )
 
 
 RULE = FileRule(
     id="node.uninitialised_node_python",
     title="Node used before its base is made (rclpy)",
     finds="A class derived from `rclpy.node.Node` alone whose `__init__` calls `create_publisher`, "
-    "`declare_parameter`, `get_logger` or another method of the node before `super().__init__(…)`, or without it.",
+    "`declare_parameter`, `get_logger` or another method of the node before `super().__init__(…)`.",
     why="The node does not exist yet: AttributeError, and the program ends at start.",
     consequence=Consequence.STOPS_START,
     certainty=Certainty.PROVEN,
@@ -77,6 +68,7 @@ from rclpy.node import Node
 class Arm(Node):
     def __init__(self):
         self.tick = self.create_timer(1.0, self.on_tick)
+        super().__init__('arm')
 """,
     good="""import rclpy
 from rclpy.node import Node

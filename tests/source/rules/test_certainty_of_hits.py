@@ -50,6 +50,7 @@ class Turtle(Node):
 """
 OLD_NODE = "from launch_ros.actions import Node\nnode = Node(package='arm', {0}='arm', executable='arm')\n"
 FORMAT = "#include <string>\n{0}\nvoid f(const std::string& given) {{ {1} printf({2}.c_str()); {3} }}\n"
+UNUSED = "import rospy\n\ndef move(a, b):\n    pass\n\ndef start():\n    move(1)\n\nrospy.init_node('arm')\n{0}\n"
 ASSIGNED = "void f(int a, int b) {{ if ({0}) g(); }}\n"
 SEQUENCE = """import time, rclpy
 class Arm(Node):
@@ -125,6 +126,8 @@ RATE = "import rospy\nwhile not done():\n    {0}(10).sleep()\n"
         ("node.system_time", Language.CPP, CLOCK.format("const auto start_timestamp"), Certainty.HEURISTIC),
         ("node.rate_in_loop_python", Language.PYTHON, RATE.format("rospy.Rate"), Certainty.HEURISTIC),
         ("node.rate_in_loop_python", Language.PYTHON, RATE.format("node.create_rate"), None),
+        ("python.argument_count", Language.PYTHON, UNUSED.format("# start()"), Certainty.HEURISTIC),
+        ("python.argument_count", Language.PYTHON, UNUSED.format("start()"), None),
         ("cpp.assignment_in_condition", Language.CPP, ASSIGNED.format("a = b"), Certainty.HEURISTIC),
         ("cpp.assignment_in_condition", Language.CPP, ASSIGNED.format("a = next(b)"), Certainty.HEURISTIC),
         ("cpp.assignment_in_condition", Language.CPP, ASSIGNED.format("a = 3"), None),

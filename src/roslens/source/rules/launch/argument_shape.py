@@ -85,7 +85,8 @@ def _parameter_values(node: Node, code: LaunchCode) -> _Found:
 
 def _remappings(call: LaunchCall, node: Node, code: LaunchCode) -> _Found:
     sort = code.sort(node)
-    if sort in (TEXT, DICTIONARY, SUBSTITUTION, SET):
+    # A set of pairs is one that launch_ros goes through like any other.
+    if sort in (TEXT, DICTIONARY, SUBSTITUTION):
         yield node, f"`remappings` is {in_words(sort)}: {call.name} raises a TypeError; expected a list of {_PAIRS}"
         return
     for one in code.items(node):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
 from roslens.model.weight.consequence import Certainty, Consequence
 from roslens.source.rules.callbacks import function_name
-from roslens.source.rules.calls import is_handled
+from roslens.source.rules.calls import function_around, is_handled
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.flow.python_functions import PythonClass, PythonFunctions, python_functions
 from roslens.source.rules.flow.python_parameters import Parameter, parameters_of
@@ -16,6 +17,8 @@ from roslens.source.rules.flow.summary import Target
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
+_MAIN = re.compile(rb"^(?:if\s+__name__\b|while\b|rospy\.|rclpy\.|main\()", re.MULTILINE)
+"""What a program has at its level, and a module that others import has not."""
 _FALSE = frozenset({"0", "False"})
 
 
@@ -32,7 +35,17 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
             line = target.function.start_point[0] + 1
             name = function_name(target.function, view)
             message = f"`{view.short(call)}` {problem} `{name}` (line {line}): a TypeError when this is reached"
-            yield view.hit("python.argument_count", call, message)
+            certainty = Certainty.HEURISTIC if _is_in_the_unused(call, view) else None
+            yield view.hit("python.argument_count", call, message, certainty=certainty)
+
+
+def _is_in_the_unused(call: Node, view: FileView) -> bool:
+    """Tell whether a call stands in a function of the module whose name the code has nowhere else: it never runs."""
+    function = function_around(call)
+    if function is None or function.parent is None or function.parent.type != "module":
+        return False
+    name = re.escape(view.text(function.child_by_field_name("name")).encode())
+    return len(re.findall(rb"\b%b\b" % name, view.code)) == 1 and _MAIN.search(view.code) is not None
 
 
 def _is_switched_off(call: Node, view: FileView) -> bool:
@@ -127,7 +140,7 @@ RULE = FileRule(
     title="Call with other arguments than the function takes (Python)",
     finds="A call of a function, method or class of the same file with an argument too few, too many, or of a name "
     "that it does not have. Calls with `*` or `**`, functions with decorators and methods that a class of the file "
-    "overrides are left out.",
+    "overrides are left out. In a function of a program whose name stands nowhere else it is a note.",
     why="Python raises a TypeError when the line is reached, in a callback as much as at the start.",
     consequence=Consequence.WRONG,
     certainty=Certainty.PROVEN,

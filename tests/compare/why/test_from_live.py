@@ -4,13 +4,16 @@ import pytest
 
 from roslens.compare.why.answered import answer
 from roslens.compare.why.declared import Declared
-from roslens.compare.why.observed import Ended, Observed
+from roslens.compare.why.observed import Ended, Observed, ObservedTransforms
 from roslens.compare.why.question import Question
+from roslens.compare.why.recorded import RecordedTransforms
 from roslens.model.answers.answer import Asks, StepState
 from roslens.model.answers.ros_process import RosProcess
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Proof
 from roslens.model.graph import Endpoint, Graph, Instance, Node, Role
 from roslens.model.qos import Qos
+from roslens.model.transforms.transform import Transform
+from roslens.model.transforms.tree import tree_of
 
 SCAN = Question("topic", "/scan")
 BEST, RELIABLE = Qos("best_effort", "volatile"), Qos("reliable", "volatile")
@@ -225,3 +228,23 @@ def test_a_program_of_another_user_whose_nodes_are_not_seen_is_told():
     assert "user 1001" not in cause(
         observed(subscription(), processes=(process,), closed_memory=frozenset(), user=1000), source()
     ).says  # fmt: skip
+
+
+def heard(*pairs):
+    """Return transforms between frames, said 50 times in a second."""
+    said = [Transform(*pair, round(at * 2e7), received=round(at * 2e7)) for at in range(50) for pair in pairs]
+    return ObservedTransforms(RecordedTransforms(tree_of(said), ("/tf",)), 0.0, 1.0)
+
+
+def test_transforms_of_what_runs_read_as_of_what_runs():
+    question = Question("transform", "map->laser")
+    found = answer(question, None, None, observed(transforms=heard(("map", "base"), ("base", "laser"))))
+    assert found.cause is None
+    assert {one.of for one in found.steps} == {"live"}
+    apart = cause(observed(transforms=heard(("map", "base"), ("dock", "laser"))), None, question)
+    assert apart.says == "map and laser are in two trees: nothing says where dock is in that of map"
+    assert apart.how.endswith("/tf_static is not there, and may have it")
+    nobody = ObservedTransforms(RecordedTransforms(tree_of(())), 0.0, 1.0)
+    assert "nobody publishes transforms" in cause(observed(transforms=nobody), None, question).says
+    (unheard,) = answer(question, None, None, observed(failures=("no tf2_msgs",))).steps
+    assert (unheard.state, unheard.evidence) == (StepState.UNSEEN, ("no tf2_msgs",))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import pytest
@@ -40,7 +40,7 @@ def python() -> str:
 def built(python: str, tmp_path: Path) -> Callable[..., Path]:
     """Return what builds a package of messages, given by name, and tells the folder in which Python finds it."""
 
-    def build(package: str, definitions: Mapping[str, str], variant: str = "") -> Path:
+    def build(package: str, definitions: Mapping[str, str], variant: str = "", held: Sequence[str] = ()) -> Path:
         folder = tmp_path / (variant or package)
         messages = folder / package / "msg"
         messages.mkdir(parents=True)
@@ -49,7 +49,7 @@ def built(python: str, tmp_path: Path) -> Callable[..., Path]:
         made = folder / "made"
         made.mkdir()
         done = subprocess.run(
-            [python, str(BUILDER), str(messages.parent), str(made)], env=clean_environment(os.environ),
+            [python, str(BUILDER), str(messages.parent), str(made), *held], env=clean_environment(os.environ),
             capture_output=True, text=True, check=False,
         )  # fmt: skip
         assert not done.returncode, done.stdout + done.stderr

@@ -11,12 +11,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from roslens.compare.why.apart import DISCOVERY, DOMAIN, RMW
-from roslens.compare.why.observed import Ended, Observed
+from roslens.compare.why.observed import Ended, Observed, ObservedTransforms
+from roslens.compare.why.question import frames_of
 from roslens.model.errors import UsageError
+from roslens.model.graph import Role
 
 if TYPE_CHECKING:
+    from roslens.cli.why.observed_transforms import TransformListener
     from roslens.live.join.session import Session, Source, Step
-    from roslens.model.graph import Event
+    from roslens.model.graph import Event, Graph
 
 LOOK_S = 4.0
 """How long it is looked at most by default, from when the observers see; in seconds."""
@@ -38,6 +41,8 @@ class Looking:
         self._exact = bool(options.length or options.tap)
         self._length = length_of(options.length, "--for") if options.length else LOOK_S
         self._sources: Sequence[Source] = sources_of(options)
+        self._pair = frames_of(options.entity)
+        self._listener = self._listening()
         for one in self._sources:
             if isinstance(one, ChildSource):
                 one.begin()
@@ -50,6 +55,34 @@ class Looking:
         """End the observers that were not ended yet."""
         for one in self._sources:
             one.close()
+        if self._listener is not None:
+            self._listener.close()
+
+    def _listening(self) -> TransformListener | None:
+        """Return what listens to transforms, where frames are asked about; of ROS 1 none does."""
+        if not self._pair or self._options.ros1:
+            return None
+        from roslens.cli.why.observed_transforms import LISTEN_S, TransformListener
+
+        seconds = self._length if self._options.length else LISTEN_S
+        try:
+            return TransformListener(self._options.python or "", self._options.domain, seconds)
+        except UsageError:
+            # The observers say it.
+            return None
+
+    def _transforms(self, graph: Graph) -> tuple[ObservedTransforms | None, tuple[str, ...]]:
+        """Return what was heard of frames, and what kept it from being heard."""
+        if self._listener is None:
+            return None, ()
+        from roslens.cli.why.observed_transforms import observed_transforms
+
+        heard = self._listener.heard()
+        if isinstance(heard, str):
+            return None, (heard,)
+        publishers = {one.node for one in graph.endpoints if one.name in heard.topics and one.role is Role.PUBLISHER}
+        said = observed_transforms(heard, self._pair, tuple(sorted(publishers)))
+        return ObservedTransforms(said, heard.start, heard.end), ()
 
     def observed(self) -> Observed:
         """Return what runs here.
@@ -99,10 +132,11 @@ class Looking:
         here = {name: os.environ.get(name, "") for name in (DOMAIN, RMW, DISCOVERY)}
         if self._options.domain is not None:
             here[DOMAIN] = str(self._options.domain)
+        transforms, unheard = self._transforms(graph)
         return Observed(
             f"what runs here{_domain(graph.generation, here)}", graph, values, stretch.seen,
-            tuple(_ended(events, session)), failures, programs.processes, programs.unreadable,
-            programs.closed_memory, programs.routers, os.getuid(), here,
+            tuple(_ended(events, session)), (*failures, *unheard), programs.processes, programs.unreadable,
+            programs.closed_memory, programs.routers, os.getuid(), transforms, here,
         )  # fmt: skip
 
 

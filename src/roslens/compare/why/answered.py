@@ -50,7 +50,7 @@ def answer(
     if not steps:
         raise UsageError(
             f'nothing that was looked at tells of {question.kind} "{question.name}"',
-            expected="a topic, node, service or action",
+            expected="a topic, node, service or action; of frames a recording, or ROS 2 that runs",
         )
     steps += _unseen(question, {one.asks for one in steps}, live=observed is not None)
     looked_at = [f"live: {observed.title}"] if observed is not None else []

@@ -9,7 +9,8 @@ from roslens.compare.why.declared import MAKERS, Declared, ends_named
 from roslens.compare.why.fit import Placed, qos_fit, type_fit
 from roslens.compare.why.instead import made_instead, made_nearly
 from roslens.compare.why.observed import Observed
-from roslens.compare.why.question import Question, near_names
+from roslens.compare.why.of_transform import steps_of_heard
+from roslens.compare.why.question import TRANSFORM, Question, near_names
 from roslens.compare.why.simulated_clock import clock_missing
 from roslens.compare.why.users import kept_apart_by_user
 from roslens.model.answers.answer import Asks, Step, StepState
@@ -32,6 +33,8 @@ def steps_of_live(question: Question, observed: Observed, declared: Declared | N
         yield from _of_ends(question, observed, declared)
     elif question.kind == "node":
         yield from _of_node(question, observed, declared)
+    elif question.kind in ("frame", TRANSFORM):
+        yield from steps_of_heard(question, observed)
 
 
 def _of_ends(question: Question, observed: Observed, declared: Declared | None) -> Iterator[Step]:

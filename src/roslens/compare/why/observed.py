@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import msgspec
 
+from roslens.compare.why.recorded import RecordedTransforms
 from roslens.model.answers.ros_process import RosProcess
 from roslens.model.graph import Graph
 
@@ -16,6 +17,14 @@ class Ended(msgspec.Struct, frozen=True):
     node: str
     how: str
     said: tuple[str, ...] = ()
+
+
+class ObservedTransforms(msgspec.Struct, frozen=True):
+    """Transforms that were heard from ``start`` to ``end``, in seconds since the epoch."""
+
+    said: RecordedTransforms
+    start: float
+    end: float
 
 
 class Observed(msgspec.Struct, frozen=True):
@@ -33,6 +42,7 @@ class Observed(msgspec.Struct, frozen=True):
         closed_memory: users of this host who share memory of Fast DDS that others may not write.
         routers: how many routers of Zenoh run on this host.
         user: numeric id of who looked; None where that is not known.
+        transforms: what was heard of frames, with since and until when; None where it was not listened.
         here: domain, middleware and discovery range that were looked at, by the name of their variable.
     """
 
@@ -47,4 +57,5 @@ class Observed(msgspec.Struct, frozen=True):
     closed_memory: frozenset[int] = frozenset()
     routers: int = 0
     user: int | None = None
+    transforms: ObservedTransforms | None = None
     here: Mapping[str, str] = {}

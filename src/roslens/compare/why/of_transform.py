@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+import msgspec
 import numpy as np
 
+from roslens.compare.why.observed import Observed
 from roslens.compare.why.question import ARROW, Question, near_names
 from roslens.compare.why.recorded import Recorded, RecordedTransforms
 from roslens.compare.why.time_line import BreakKind, TimeLine, time_line
@@ -14,6 +16,14 @@ from roslens.model.transforms.probe import EVERY_S, Stretch
 from roslens.model.transforms.tree import FrameLine
 
 _MOST = 8
+_OF_WHAT_RUNS = (
+    ("is not in the recording, and may have it", "is not there, and may have it"),
+    ("which node said which transform is not recorded", "which node said which transform is not known"),
+    ("`made by` names it where the recording does", "`made by` has the nodes that publish any"),
+    ("of another clock than the recording", "of another clock than that of this host"),
+    ("record /clock, or with --use-sim-time", "look whether use_sim_time is set alike on all nodes"),
+)
+"""How the steps of a recording read where what runs was listened to."""
 _DATED_S = 1.0
 """AMCL and others date transforms forward on purpose, by up to a second as a rule."""
 
@@ -44,6 +54,32 @@ def steps_of_transforms(question: Question, recorded: Recorded) -> Iterator[Step
     yield from _ages(lines)
     yield from _tried(said, recorded, lines)
     yield from _ignored(lines)
+
+
+def steps_of_heard(question: Question, observed: Observed) -> Iterator[Step]:
+    """Yield what the transforms of a running system say, as of a recording of the time in which it was listened."""
+    heard = observed.transforms
+    if heard is None:
+        says, how = "the transforms of what runs were not heard", "record /tf and /tf_static, and give --bag"
+        yield Step(Asks.EXISTS, StepState.UNSEEN, says, "live", observed.failures, how)
+        return
+    if not heard.said.topics:
+        says = "nobody publishes transforms: there is neither /tf nor /tf_static"
+        how = "start what publishes them, such as robot_state_publisher"
+        yield Step(Asks.EXISTS, StepState.NOT, says, "live", how=how)
+        return
+    as_recorded = Recorded(observed.title, heard.start, heard.end, {}, observed.graph, transforms=heard.said)
+    for one in steps_of_transforms(question, as_recorded):
+        yield msgspec.structs.replace(
+            one, of="live", says=_live_words(one.says), how=_live_words(one.how),
+        )  # fmt: skip
+
+
+def _live_words(text: str) -> str:
+    """Return a sentence about a recording as one about what runs."""
+    for words, other in _OF_WHAT_RUNS:
+        text = text.replace(words, other)
+    return text
 
 
 def _above(names: Sequence[str], said: RecordedTransforms) -> tuple[FrameLine, ...]:

@@ -25,7 +25,7 @@ EXAMPLES = """\
   roslens why /scan --launch rover_bringup/rover.launch.py --arg navigation:=false
   roslens why /scan --bag drive.mcap         joined with what a recording has
   roslens why /planner --bag drive.bag --no-source
-  roslens why 'map->base_link' --bag drive.mcap     can it be looked up, and if not, why; frame:base_link: one frame
+  roslens why 'map->base_link' --bag drive.mcap     can it be looked up, and if not, why; or --live; frame:laser: one
   roslens why /scan --live                   joined with what runs here; --ros1, --ros2 as of watch
   roslens why service:/set_mission --json    kinds: topic, service, action, node, frame
 
@@ -124,8 +124,8 @@ def _declared(options: argparse.Namespace, *, alone: bool) -> Declared | None:
     if frames_of(options.entity):
         if alone:
             raise UsageError(
-                f'"{options.entity}" without --bag', expected="a recording with /tf",
-                advice="Of frames and transforms only recordings are read",
+                f'"{options.entity}" without --bag or --live', expected="a recording with /tf, or ROS 2 that runs",
+                advice="Frames and transforms are read from what was said, not from source",
             )  # fmt: skip
         return None
     if options.no_source:

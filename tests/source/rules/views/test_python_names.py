@@ -1,5 +1,7 @@
 """The names of a Python file that nothing binds."""
 
+import time
+
 import pytest
 import tree_sitter_python
 from tree_sitter import Language, Parser
@@ -48,3 +50,14 @@ def unbound(text):
 )
 def test_a_name_that_is_read_is_bound_somewhere_around_it(text, expected):
     assert unbound(text) == expected
+
+
+def test_calls_in_a_row_take_no_square_of_their_number():
+    def seconds(calls):
+        tree = Parser(Language(tree_sitter_python.language())).parse(b"x = a" + b".f()" * calls + b"\n")
+        begun = time.process_time()
+        PythonNames(tree.root_node)
+        return time.process_time() - begun
+
+    few = min(seconds(500) for _ in range(3))
+    assert seconds(5_000) < 30 * few

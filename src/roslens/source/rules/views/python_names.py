@@ -282,8 +282,11 @@ def _catches(node: Node) -> bool:
 
 def _around_first(child: Node, parent: Node, scope: Scope) -> Scope:
     """Return the scope of a node in a clause of a comprehension: what the first one goes through stands outside."""
+    # Only then the parent: the parser finds it from the root of the tree on.
+    if parent.type != "for_in_clause" or child != parent.child_by_field_name("right"):
+        return scope
     holder = parent.parent
-    if parent.type != "for_in_clause" or holder is None or child != parent.child_by_field_name("right"):
+    if holder is None:
         return scope
     first = next((one for one in holder.children if one.type == "for_in_clause"), None)
     return scope.outer if first == parent and scope.outer is not None and scope.node == holder else scope

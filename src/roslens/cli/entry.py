@@ -1,18 +1,18 @@
 """Where the command starts: what the current folder holds is imported no more, and an interrupt ends it at once.
 
-Nothing is imported here before that, not even by ``from __future__``.
+Nothing is imported here before that, not even by ``from __future__``; ``_signal`` is part of the interpreter, where
+``signal`` takes a while to import.
 """
 
+import _signal  # type: ignore[import-not-found]  # typeshed has signal alone
 import os
 import sys
 
 
 def main() -> int:
     """Run the command line of this process and return its exit code."""
+    _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
     leave_current_folder()
-    import signal
-
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
     from roslens.children.safe_path import shorten_search_paths
 
     shorten_search_paths()

@@ -47,7 +47,20 @@ def open_streams() -> None:
         encoding, by_line = before.encoding, before.line_buffering
         written = Output(before.detach(), encoding=encoding, errors=_ESCAPED, line_buffering=by_line)
         sys.stdout = sys.__stdout__ = written  # type: ignore[misc]
-    sys.stderr.reconfigure(errors=_ESCAPED)  # type: ignore[union-attr]
+    errors = os.fdopen(2, "wb", closefd=False)
+    sys.stderr = Errors(errors, encoding=sys.stderr.encoding, errors=_ESCAPED, line_buffering=True)
+
+
+class Errors(io.TextIOWrapper):
+    """Standard error that writes control characters out, but for those by which a terminal shows progress."""
+
+    @cached_property
+    def _colours(self) -> bool:
+        return self.isatty()
+
+    def write(self, text: str, /) -> int:
+        """Write text."""
+        return super().write(shown_controls(text, colours=self._colours))
 
 
 class Output(io.TextIOWrapper):

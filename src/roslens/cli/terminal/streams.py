@@ -10,6 +10,8 @@ import time
 from pathlib import Path
 from typing import TextIO
 
+from roslens.report.writing.control_characters import shown_controls
+
 
 def add_stream_arguments(parser: argparse.ArgumentParser) -> None:
     """Add ``-q``, ``-v`` and ``--no-color``."""
@@ -73,7 +75,7 @@ class TerminalProgress:
             return
         self._last = now
         count = f" {self._done}/{self._total}" if self._total else "…"
-        text = f"{self._title}{count} {item}"[: width_of(self._stream) - 1]
+        text = shown_controls(f"{self._title}{count} {item}")[: width_of(self._stream) - 1]
         self._stream.write(f"\r\x1b[K{text}")
         self._stream.flush()
 

@@ -11,12 +11,20 @@ import io
 import re
 
 _TEXT = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]|\r(?!\n|\\Z)")
-_TEXT_OF_TERMINAL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]")
+_OF_TERMINAL = r"\[[0-9;]*m|\[[HJK]|\[\?(?:25|1049)[hl]"
+"""What roslens itself sends to a terminal after an escape: colours, and what writes a line or the screen over."""
+
+_TEXT_OF_TERMINAL = re.compile(
+    rf"[\x00-\x08\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]|\x1b(?!{_OF_TERMINAL})|\r(?!\n|\Z|\x1b\[K)"
+)
 _BYTES = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]|\xc2[\x80-\x9f]|\r(?!\n|\Z)")
 
 
 def shown_controls(text: str, *, colours: bool = False) -> str:
-    """Return a text with its control characters written out; with ``colours``, but for those that colours need."""
+    """Return a text with its control characters written out; with ``colours``, but for those that roslens itself sends.
+
+    What comes from source is cleaned before it is coloured: of what slips through, a terminal obeys no more than these.
+    """
     pattern = _TEXT_OF_TERMINAL if colours else _TEXT
     return pattern.sub(_written_out, text) if pattern.search(text) else text
 

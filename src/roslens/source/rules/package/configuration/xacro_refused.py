@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
 
 import msgspec
@@ -48,11 +48,18 @@ def found(view: PackageView) -> Iterator[Hit]:
             yield Hit(_ID, fault[0], line, column, context=fault[0], path=file.path)
         elif document.root is not None:
             documents.append((file, document))
+    yield from _in_calls(documents, view)
+
+
+def _in_calls(documents: Sequence[tuple[SourceFile, Document]], view: PackageView) -> Iterator[Hit]:
+    """Yield what is wrong in each call of a macro."""
     macros = _macros(document for _, document in documents)
-    is_whole = macros is not None and _is_whole(view)
-    for file, document in documents if macros is not None else ():
+    if macros is None:
+        return
+    is_whole = _is_whole(view)
+    for file, document in documents:
         for one in _below(document.root):
-            message = _of_call(one, macros or {}, is_whole=is_whole)
+            message = _of_call(one, macros, is_whole=is_whole)
             if message:
                 line, column = document.place(one.start)
                 yield Hit(_ID, message, line, column, context=message, path=file.path)
@@ -137,8 +144,11 @@ def _of_call(one: Element, macros: Mapping[str, _Macro | None], *, is_whole: boo
             else ""
         )
     macro = macros[name]
-    if macro is None:
-        return ""
+    return _of_arguments(name, one, macro) if macro is not None else ""
+
+
+def _of_arguments(name: str, one: Element, macro: _Macro) -> str:
+    """Return what is wrong with what a macro is given; empty where nothing is."""
     given = one.attributes.keys() - {"xmlns:xacro"}
     missing = sorted(macro.needed - given)
     if missing:

@@ -211,14 +211,22 @@ def test_users_who_reach_each_other_are_no_cause(live):
     assert cause(live) is None
 
 
-def test_zenoh_without_a_router_is_the_cause():
-    process = RosProcess(1, "lidar", 0, rmw="rmw_zenoh_cpp")
-    live = observed(publisher(), subscription(), processes=(process,), here={"RMW_IMPLEMENTATION": "rmw_zenoh_cpp"})
-    assert "no router of Zenoh" in cause(live).says
-    live = observed(
-        publisher(), subscription(), processes=(process,), routers=1, here={"RMW_IMPLEMENTATION": "rmw_zenoh_cpp"}
-    )
-    assert cause(live) is None
+def test_zenoh_without_a_router_is_the_cause_where_nobody_is_seen():
+    zenoh = {
+        "here": {"RMW_IMPLEMENTATION": "rmw_zenoh_cpp"},
+        "processes": (RosProcess(1, "x", 0, rmw="rmw_zenoh_cpp"),),
+    }
+    found = cause(observed(**zenoh))
+    assert found.says.startswith("nobody that is seen uses /scan: no router of Zenoh runs here")
+    assert "no router of Zenoh" in cause(observed(subscription(), **zenoh), source()).says
+    assert cause(observed(publisher(), subscription(), **zenoh)) is None
+    assert "router" not in cause(observed(routers=1, **zenoh)).says
+    assert "router" not in cause(observed(**(zenoh | {"here": {}}))).says
+
+
+def test_a_maker_in_another_domain_is_named_where_nobody_else_is_seen():
+    process = RosProcess(42, "/opt/lib/drivers/lidar_node", 1000, domain="5")
+    assert "/lidar runs apart" in cause(observed(processes=(process,)), source()).says
 
 
 def test_a_program_of_another_user_whose_nodes_are_not_seen_is_told():

@@ -9,6 +9,9 @@ from roslens.model.answers.answer import Asks, Step, StepState
 from roslens.model.answers.ros_process import RosProcess
 
 _MOST = 6
+_ZENOH = "rmw_zenoh_cpp"
+FAST_DDS = ("", "rmw_fastrtps_cpp", "rmw_fastrtps_dynamic_cpp")
+"""What chooses Fast DDS; it is the default where nothing is chosen."""
 DOMAIN, RMW, DISCOVERY = "ROS_DOMAIN_ID", "RMW_IMPLEMENTATION", "ROS_AUTOMATIC_DISCOVERY_RANGE"
 
 
@@ -33,6 +36,7 @@ def _is_hidden(process: RosProcess, observed: Observed) -> bool:
     is_other = observed.user is not None and process.user != observed.user
     return (
         is_other
+        and process.rmw in FAST_DDS
         and process.pid not in {one.pid for one in observed.graph.nodes}
         and not observed.closed_memory.isdisjoint({process.user, observed.user})
     )
@@ -49,7 +53,7 @@ def reached(observed: Observed, programs: Mapping[str, str], asked: str) -> Step
     """
     if observed.graph.generation == "ros1" or not (observed.processes or observed.unreadable):
         return None
-    if (router := _router_missing(observed)) is not None:
+    if (router := _router_missing(observed)) is not None and (programs or not observed.graph.nodes):
         return router
     apart = [(one, words) for one in observed.processes if (words := differences(one, observed))]
     wanted = [(one, words) for one, words in apart if _node(one, programs)]
@@ -73,8 +77,8 @@ def reached(observed: Observed, programs: Mapping[str, str], asked: str) -> Step
 
 def _router_missing(observed: Observed) -> Step | None:
     """Return that nodes on Zenoh have no router on this host, without which they do not find each other."""
-    on_zenoh = [one for one in observed.processes if one.rmw == "rmw_zenoh_cpp"]
-    if not on_zenoh or observed.routers:
+    on_zenoh = [one for one in observed.processes if one.rmw == _ZENOH]
+    if not on_zenoh or observed.routers or observed.here.get(RMW) != _ZENOH:
         return None
     count = "1 program" if len(on_zenoh) == 1 else f"{len(on_zenoh)} programs"
     says = f"no router of Zenoh runs here, and {count} of ROS 2 on Zenoh {'does' if len(on_zenoh) == 1 else 'do'}"

@@ -43,12 +43,12 @@ def _of_ends(question: Question, observed: Observed, declared: Declared | None) 
     ]  # fmt: skip
     makers = [one for one in ends if one.role is MAKERS[question.kind]]
     wanted = _wanted(question, declared)
-    yield _exists(question, ends, observed)
     users = [one for one in ends if one.role is not MAKERS[question.kind]]
     if users:
         yield Step(Asks.USED, StepState.OK, _who_does(users), "live")
     runs, missing = _runs([one.node for one in makers], wanted, observed)
     apart = reached(observed, _programs(missing), question.name)
+    yield _exists(question, ends, observed, apart)
     instead = made_instead(question, wanted, observed)
     nearly = made_nearly(question, users, observed)
     yield _makers(question, makers, observed, [one for one in (apart, instead, *runs, nearly) if one is not None])
@@ -81,13 +81,16 @@ def _wanted(question: Question, declared: Declared | None) -> list[ConfiguredNod
     return []
 
 
-def _exists(question: Question, ends: Sequence[Endpoint], observed: Observed) -> Step:
+def _exists(question: Question, ends: Sequence[Endpoint], observed: Observed, apart: Step | None) -> Step:
     if ends:
         counts = [(role, sum(one.role is role for one in ends)) for role in Role]
         said = ", ".join(
             f"{count} {role.value.replace('_', ' ')}{'s' * (count > 1)}" for role, count in counts if count
         )
         return Step(Asks.EXISTS, StepState.OK, f"{said} of it {'is' if len(ends) == 1 else 'are'} there", "live")
+    if apart is not None and apart.state is StepState.NOT:
+        says = f"nobody that is seen uses {question.name}: {apart.says}"
+        return Step(Asks.EXISTS, StepState.NOT, says, "live", apart.evidence, apart.how, apart.command)
     near = near_names(question.name, {one.name for one in observed.graph.endpoints})
     how = f"nearest names that are there: {', '.join(near)}" if near else "look at what runs"
     return Step(Asks.EXISTS, StepState.NOT, f"nobody that runs uses {question.name}", "live", how=how,

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from roslens.compare.why.apart import FAST_DDS
 from roslens.compare.why.observed import Observed
 from roslens.model.answers.answer import Asks, Step, StepState
 from roslens.model.answers.ros_process import RosProcess
 from roslens.model.graph import Endpoint, Role
 
-_FAST_DDS = ("", "rmw_fastrtps_cpp", "rmw_fastrtps_dynamic_cpp")
 _ROOT = 0
 _MOST = 3
 _HOW = (
@@ -48,7 +48,7 @@ def _closed(publisher: tuple[str, RosProcess], subscriber: tuple[str, RosProcess
         host == other_host
         and sends.user != receives.user != _ROOT
         and sends.user in observed.closed_memory
-        and all(one.rmw in _FAST_DDS and _shares_memory(one) for one in (sends, receives))
+        and all(one.rmw in FAST_DDS and _shares_memory(one) for one in (sends, receives))
     )
 
 

@@ -1,6 +1,7 @@
 """What is not judged because of an envelope would not have changed: the same verdicts as when everything is judged."""
 
 import math
+from itertools import pairwise
 from random import Random
 
 import msgspec
@@ -144,7 +145,7 @@ def of_tap(steps):
         yield end, msgspec.structs.replace(tally, observer=Observer.TAP)
 
 
-def rules_for_a_tap(**ranges):
+def rules_of(**ranges):
     """Return constraints on a topic; of what a tap loses itself no loss is known, so that one on it never rests."""
     return reference(
         {
@@ -157,7 +158,7 @@ def rules_for_a_tap(**ranges):
 
 @pytest.mark.parametrize("seed", range(12))
 def test_of_what_a_tap_sees_the_same_is_said(seed, monkeypatch):
-    monkeypatch.setitem(globals(), "RULES", rules_for_a_tap(rate="15..30", largest_gap="<= 0.2"))
+    monkeypatch.setitem(globals(), "RULES", rules_of(rate="15..30", largest_gap="<= 0.2"))
     assert_same(*both([list(reported(Random(seed), "/p", Observer.TAP, 7.0))], monkeypatch))
 
 
@@ -167,7 +168,7 @@ def test_of_what_a_tap_sees_the_same_is_said(seed, monkeypatch):
 )
 def test_a_tap_that_loses_messages_is_looked_at(key, range_, state, monkeypatch):
     """What it misses was sent: 20 Hz of which as many are lost are 40 Hz, and its gaps are its own."""
-    monkeypatch.setitem(globals(), "RULES", rules_for_a_tap(**{key: range_}))
+    monkeypatch.setitem(globals(), "RULES", rules_of(**{key: range_}))
     known, everything = both([list(of_tap([(20.0, 100, 0.01, 0)] * 5 + [(20.0, 100, 0.01, 4)] * 3))], monkeypatch)
     assert_same(known, everything)
     assert known[2] > 0
@@ -176,7 +177,7 @@ def test_a_tap_that_loses_messages_is_looked_at(key, range_, state, monkeypatch)
 
 def test_a_tap_whose_messages_grow_large_is_looked_at(monkeypatch):
     """Then it may lose whole ones, and a silence of a second shows nothing."""
-    monkeypatch.setitem(globals(), "RULES", rules_for_a_tap(largest_gap="<= 0.12"))
+    monkeypatch.setitem(globals(), "RULES", rules_of(largest_gap="<= 0.12"))
     known, everything = both([list(of_tap([(20.0, 100, 0.01, 0)] * 5 + [(20.0, 100_000, 0.01, 0)] * 3))], monkeypatch)
     assert_same(known, everything)
     assert known[2] > 0
@@ -195,6 +196,77 @@ def test_what_came_before_its_publisher_was_known_keeps_nothing_from_resting(mon
 def test_steady_traffic_rests(monkeypatch):
     (_, _, resting), _ = both([list(traffic([(20.0, 100, 0.01, 0)] * 10, "/p"))], monkeypatch)
     assert resting > 60
+
+
+def slow_traffic(draw, hertz, jitter, changes=()):
+    """Yield tallies of 0.15 s of about as many messages as tallies; at each of ``changes`` one message is missing."""
+    times, at = [], 0.05
+    while at < 15:
+        if not any(abs(at - one) < 0.5 / hertz for one in changes):
+            times.append(at)
+        at += (1 + jitter * (draw.random() - 0.5)) / hertz
+    last, place = None, 0
+    for number in range(100):
+        start, end = number * 0.15, (number + 1) * 0.15
+        mine = []
+        while place < len(times) and times[place] < end:
+            mine.append(times[place])
+            place += 1
+        known = [*([last] if last is not None else []), *mine]
+        last = mine[-1] if mine else last
+        yield (
+            end,
+            Tally(
+                "/a", "/p", "/s", start, end, len(mine), 100 * len(mine), mine[0] if mine else 0.0,
+                mine[-1] if mine else 0.0, of([b - a for a, b in pairwise(known)]),
+                of([0.01] * len(mine)), observer=Observer.INSIDE,
+            ),
+        )  # fmt: skip
+
+
+SLOW = {
+    "rate": "2.5..10", "largest_gap": "<= 0.45", "latency": "<= 0.02", "bandwidth": "<= 2000", "jitter": "<= 0.1",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("quantities", [SLOW, *({key: range_} for key, range_ in SLOW.items())], ids=str)
+@pytest.mark.parametrize("changes", [(), (6.0,), (6.0, 6.2, 6.4, 6.6), (3.0, 3.4, 3.8, 9.0)])
+def test_a_pause_between_messages_about_as_rare_as_tallies_is_told_of_the_same(quantities, changes, monkeypatch):
+    monkeypatch.setitem(globals(), "RULES", rules_of(**quantities))
+    for seed in range(3):
+        for hertz in (5, 4, 7, 2):
+            draw = Random(seed)
+            known, everything = both([list(slow_traffic(draw, hertz, draw.choice([0.0, 0.3]), changes))], monkeypatch)
+            assert_same(known, everything)
+            assert hertz != 5 or changes or known[2] > 100
+
+
+@pytest.mark.parametrize(("key", "range_"), [("latency", "<= 0.02"), ("rate", ">= 0.1"), ("message_size", ">= 1")])
+def test_silence_is_told_of_the_same_where_nothing_bounds_it(key, range_, monkeypatch):
+    monkeypatch.setitem(globals(), "RULES", rules_of(**{key: range_}))
+    stream = [(end, one) for end, one in slow_traffic(Random(1), 5, 0.0) if end < 8]
+    silent = [
+        (end, msgspec.structs.replace(one, count=0, bytes=0, first=0.0, last=0.0, period=of([]), latency=of([])))
+        for end, one in slow_traffic(Random(1), 5, 0.0)
+        if end >= 8
+    ]
+    known, everything = both([stream + silent], monkeypatch)
+    assert_same(known, everything)
+    assert known[2] > 50
+
+
+def test_what_never_says_anything_rests_where_nothing_is_judged_of_it():
+    """Such as /rosout of a node that logs nothing."""
+    monitor = Monitor(rules_of(rate="1..2"), start=0.0)
+    judged = 0
+    for number in range(40):
+        start, end = number * 0.15, (number + 1) * 0.15
+        monitor.add_tally(Tally("/other", "/p", "", start, end, 0, 0, observer=Observer.INSIDE))
+        judged += bool(monitor._evaluator.waiting)
+        monitor.tick(end)
+    (connection,) = monitor._world.connections.values()
+    assert connection.envelope is not None
+    assert judged < 5
 
 
 NASTY = st.one_of(st.floats(), st.sampled_from([math.nan, math.inf, -math.inf, -1.0, 0.0, 1e308]))

@@ -25,7 +25,7 @@ def envelope_of(connection: Connection, topic: Topic) -> Envelope | None:
     for group, share in (*((group, 1.0) for group in connection.groups), *of_topic):
         if not group.calm or not envelope.narrow(group, alone[group.at], share):
             return None
-    if all(envelope.holds(bucket) for window in alone for bucket in window.buckets):
+    if all(envelope.lets_be(bucket) for window in alone for bucket in window.buckets):
         return envelope
     return None
 

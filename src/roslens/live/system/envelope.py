@@ -18,8 +18,8 @@ from roslens.live.window.round import Round
 from roslens.live.window.signals import RECEIVED, SUMMED
 from roslens.live.window.traffic import bandwidth, message_size, period, rate
 from roslens.live.window.window import EPSILON_S, Window
-from roslens.model.traffic.tally import Observer
-from roslens.model.traffic.tally_columns import Row
+from roslens.model.traffic.tally import NOTHING, Observer, Tally
+from roslens.model.traffic.tally_columns import Row, tally_of
 
 _BEFORE = -EPSILON_S
 _Bounds = tuple[float, float, float]
@@ -39,6 +39,7 @@ class Envelope:
         centre: the period from which distances are taken.
         scatter: the greatest mean square of these.
         loss: least and greatest share, in percent.
+        boundless: whether nothing is judged of the connection.
         most_lost: messages. What a tap loses itself raises the rate, and leaves gaps and jitter unknown.
         latency: least and greatest mean, and greatest value; None where it has no bounds.
         age: those of it.
@@ -48,11 +49,12 @@ class Envelope:
     """
 
     __slots__ = (
-        "age", "centre", "fast", "gap", "latency", "loss", "most_lost", "processing", "round", "scatter", "size",
-        "slow", "windows",
+        "age", "boundless", "centre", "fast", "gap", "latency", "loss", "most_lost", "processing", "round", "scatter",
+        "size", "slow", "windows",
     )  # fmt: skip
 
     def __init__(self, windows: list[Window]) -> None:
+        self.boundless = True
         self.slow, self.fast = 0.0, inf
         self.size = _ANY_SIZE
         self.gap = inf
@@ -74,6 +76,8 @@ class Envelope:
         windows = self.windows
         window = windows[0]
         start, end, count, size, first, last, period, latency, age, lost, observer, _, processing, longest_at = row
+        if not count:
+            return self._takes_pause(tally_of("", row), now)
         until = window.until
         hole, length, quiet = start - until, end - until, end - last
         gap, span, squares, centre = period.greatest, period.total, period.squares, self.centre
@@ -105,12 +109,46 @@ class Envelope:
         for window in windows:
             if not window.buckets:  # all of it is over, as after frames that came late
                 return False
-        if now is not self.round:
-            self.notice()
-            self.round = now
+        self._begin_round(now)
         for window in windows:
             window.follow_row(row, length, hole)
         return True
+
+    def _takes_pause(self, tally: Tally, now: Round) -> bool:
+        """Put a tally without messages into the windows that follows one with some, and is too short to matter.
+
+        A topic whose messages come about as often as tallies has one now and then. What the last messages before it
+        say outweighs the silence since. A second one is looked at.
+        """
+        nothing = tally.period == tally.latency == tally.age == tally.processing == NOTHING
+        if not nothing or self.loss is not None or tally.first or tally.last or tally.longest_at:
+            return False
+        window = self.windows[0]
+        hole, length = tally.start - window.until, tally.end - window.until
+        follows = _BEFORE <= hole <= window.spacing and EPSILON_S < length < inf and tally.observer is window.observer
+        if not follows or tally.bytes not in (-1, 0) or tally.lost not in (-1, 0):
+            return False
+        if not all(self._outweighs(window, tally.end) for window in self.windows):
+            return False
+        self._begin_round(now)
+        for window in self.windows:
+            window.follow(tally, length, hole)
+        return True
+
+    def _outweighs(self, window: Window, end: float) -> bool:
+        """Whether the newest messages of a window keep its values inside all bounds with the silence up to ``end``."""
+        if self.boundless:
+            return True
+        newest = window.buckets[-1] if window.buckets else None
+        if newest is None or not newest.count or not newest.intervals or not window.last:
+            return False
+        quiet = end - window.last
+        return 0 <= quiet <= self.gap and self.slow * (newest.span + max(quiet - newest.gap, 0.0)) <= newest.intervals
+
+    def _begin_round(self, now: Round) -> None:
+        if now is not self.round:
+            self.notice()
+            self.round = now
 
     def notice(self) -> None:
         """Let windows know when the newest tally inside was noticed; nothing is known of one since the last tick."""
@@ -119,6 +157,12 @@ class Envelope:
                 if window.news:
                     window.notice(self.round.time)
             self.round = None
+
+    def lets_be(self, bucket: Bucket) -> bool:
+        """Whether a bucket that is followed by others lies inside all bounds, or has no messages and says nothing."""
+        if bucket.count or bucket.intervals or bucket.lost:
+            return self.holds(bucket)
+        return self.loss is None
 
     def holds(self, bucket: Bucket) -> bool:
         """Whether a bucket lies inside all bounds, and the silence at its end too."""
@@ -154,6 +198,7 @@ class Envelope:
 
     def narrow(self, group: Group, window: Window, share: float) -> bool:
         """Take the bounds of constraints, of which this connection has a ``share``; False where that cannot be done."""
+        self.boundless = False
         key, low, high = group.key, group.low, group.high
         if group.percentile:
             return False

@@ -16,6 +16,7 @@ OWN = {
     "source/rules/field/precision.py": "comes with roslens",
     "source/rules/field/rates.py": "comes with roslens",
     "source/rules/signatures/read_markup.py": "comes with roslens",
+    "source/rules/signatures/read_messages.py": "comes with roslens",
     "source/distributions/known_distributions.py": "comes with roslens",
     "source/distributions/read_changes.py": "comes with roslens",
     "source/rules/signatures/read_signatures.py": "comes with roslens",

@@ -80,6 +80,17 @@ def test_a_tool_that_the_user_names_runs_nothing_of_the_workspace(name, alone, c
 
 
 @pytest.mark.parametrize("name", ASKED)
+def test_without_a_sandbox_a_tool_that_the_user_names_runs_nothing_either(name, alone, capfd, monkeypatch):
+    if not installed(name, alone.root):
+        pytest.skip(f"{name} is not installed; {tool_named(name).get}")
+    monkeypatch.setattr("roslens.source.tools.running.run_tool.sandbox_kind", lambda: "")
+    before = alone.files()
+    check(alone, capfd, "--tools", name)
+    assert alone.sing() == []
+    assert alone.changed(before) == []
+
+
+@pytest.mark.parametrize("name", ASKED)
 def test_a_trusted_workspace_runs_no_module_or_program_beside_the_code(name, alone, capfd):
     if not installed(name, alone.root):
         pytest.skip(f"{name} is not installed; {tool_named(name).get}")

@@ -28,40 +28,38 @@ _CALLED = re.compile(r"([A-Za-z_]\w*)\s*\(")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
-    """Yield a function that has a type of result and a body, and never returns one."""
+    """Yield a function that has a type of result and a body, and never returns one, or not at its end."""
     body = node.child_by_field_name("body")
-    if body is None:
+    if body is None or body.type != "compound_statement" or not body.named_child_count:
         return
     returns = view.code.find(b"return", body.start_byte, body.end_byte) >= 0
-    if returns and not _falls_off(body, view):
+    if not _falls_off(body, view) if returns else _never_ends(body, view):
         return
-    kind = node.child_by_field_name("type")
-    if kind is None or not body.named_child_count or body.type != "compound_statement":
+    named = _named(node, view)
+    if named is None:
         return
-    text = view.text(kind)
-    declarator, function = node.child_by_field_name("declarator"), function_declarator(node)
-    if declarator is None or function is None or node.has_error:
-        return
-    text += " *" if declarator.type == "pointer_declarator" else ""
-    if not _is_result(text):
-        return
-    if node.type == "function_definition" and "noreturn" in view.short(node):
-        return
+    function, name, text = named
+    what = f"`{name}` returns {text} but has no `return`; expected one, or `void`"
+    if returns:
+        line = _last(body).end_point[0] + 1
+        what = f"`{name}` returns {text}, and its end is reached behind line {line}; expected a `return` there"
+    yield view.hit("cpp.missing_return", function, what)
+
+
+def _named(node: Node, view: FileView) -> tuple[Node, str, str] | None:
+    """Return declarator, name and type of result of a function that has to return a value."""
+    kind, declarator = node.child_by_field_name("type"), node.child_by_field_name("declarator")
+    function = function_declarator(node)
+    if kind is None or declarator is None or function is None or node.has_error:
+        return None
+    text = view.text(kind) + (" *" if declarator.type == "pointer_declarator" else "")
+    if not _is_result(text) or (node.type == "function_definition" and "noreturn" in view.short(node)):
+        return None
     name = view.text(name_node(function))
     if name in ("main", "wmain", text) or "~" in name or _MACRO.fullmatch(name):
-        return
-    if not returns and _never_ends(body, view):
-        return
-    if declarator.type == "function_declarator" and "->" in view.text(declarator) and "void" in view.text(declarator):
-        return
-    if returns:
-        last = _last(body)
-        what = f"`{name}` returns {text}, and its end is reached behind line {last.end_point[0] + 1}"
-        yield view.hit("cpp.missing_return", function, f"{what}; expected a `return` there")
-        return
-    yield view.hit(
-        "cpp.missing_return", function, f"`{name}` returns {text} but has no `return`; expected one, or `void`"
-    )
+        return None
+    written = view.text(declarator) if declarator.type == "function_declarator" else ""
+    return None if "->" in written and "void" in written else (function, name, text)
 
 
 def _last(body: Node) -> Node:

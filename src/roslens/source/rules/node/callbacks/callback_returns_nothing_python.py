@@ -38,7 +38,8 @@ def found(_root: Node, view: FileView) -> Iterator[Hit]:
         function = one.target.function
         if function.id in said or not _is_asked(one, view) or not _is_plain(function):
             continue
-        hit = _hit(one, returns_of(function, view), view)
+        returns = returns_of(function, view)
+        hit = _literal(one, returns, view) or _hit(one, returns, view)
         if hit is not None:
             said.add(function.id)
             yield hit
@@ -59,13 +60,7 @@ def _hit(one: Registration, returns: Returns, view: FileView) -> Hit | None:
     function = one.target.function
     follows, expected = _ROS1 if one.is_ros1 else _NEEDS[one.kind]
     name = f"callback `{function_name(function, view)}`"
-    if returns.is_generator:
-        return None
-    if one.kind is CallbackKind.SERVICE and not one.is_ros1 and (value := _literal_of(function, returns, view)):
-        at, text = value
-        message = f"{name} of a {_spoken(one)} returns {text}, which is no response: {follows}; expected {expected}"
-        return view.hit("node.callback_returns_nothing_python", at, message, certainty=Certainty.LIKELY)
-    if not (returns.falls_off or returns.empty):
+    if returns.is_generator or not (returns.falls_off or returns.empty):
         return None
     if not returns.values:
         at = function.child_by_field_name("name") or function
@@ -80,6 +75,20 @@ def _hit(one: Registration, returns: Returns, view: FileView) -> Hit | None:
     where = f"in line {returns.empty[0].start_point[0] + 1}" if returns.empty else "where its end is reached"
     at = returns.empty[0] if returns.empty else function.child_by_field_name("name") or function
     message = f"{name} of a {_spoken(one)} returns nothing {where}: {follows}; expected {expected} there too"
+    return view.hit("node.callback_returns_nothing_python", at, message, certainty=Certainty.LIKELY)
+
+
+def _literal(one: Registration, returns: Returns, view: FileView) -> Hit | None:
+    """Return that a service of rclpy answers with a literal."""
+    function = one.target.function
+    if one.kind is not CallbackKind.SERVICE or one.is_ros1 or returns.is_generator:
+        return None
+    value = _literal_of(function, returns, view)
+    if value is None:
+        return None
+    (at, text), (follows, expected) = value, _NEEDS[one.kind]
+    what = f"callback `{function_name(function, view)}` of a {_spoken(one)} returns {text}, which is no response"
+    message = f"{what}: {follows}; expected {expected}"
     return view.hit("node.callback_returns_nothing_python", at, message, certainty=Certainty.LIKELY)
 
 

@@ -12,9 +12,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_CONSTANT = re.compile(
-    r"[-+]?(?:\d[\w.]*|true|false|nullptr|NULL|'(?:\\?.)'|(?:\w+::)*(?:[A-Z][A-Z0-9]*_?)+|(?:\w+::)*k[A-Z]\w*)"
-)
+_CONSTANT = re.compile(r"[-+]?(?:\d[\w.]*|true|false|nullptr|NULL|'(?:\\?.)'|(?:\w+::)*(?:[A-Z][A-Z0-9_]*|k[A-Z]\w*))")
 """A literal, or a name that is written as those of constants are."""
 
 

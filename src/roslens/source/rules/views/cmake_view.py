@@ -28,6 +28,8 @@ _MOST_DEPTH = 6
 _MOST_REFERENCES = 20
 _LONGEST = 1_000
 """Characters of a value that is put into another one: lists that are doubled again and again would have no end."""
+_MOST_REPLACED = 20_000_000
+"""Characters that are made of all variables of a package; what is behind keeps its references, and is open."""
 _REFERENCE = re.compile(r"\$\{([A-Za-z0-9_]+)\}")
 _HERE = re.compile(r"\$\{CMAKE_CURRENT_SOURCE_DIR\}/?")
 _LISTED = re.compile(r"\$\{CMAKE_CURRENT_LIST_DIR\}/?")
@@ -96,6 +98,7 @@ class CmakeView:
         self._package = package
         self._values: dict[str, list[str]] = {"PROJECT_NAME": [], "CMAKE_PROJECT_NAME": []}
         self._read: set[str] = set()
+        self._left = _MOST_REPLACED
         self.top = join(package.folder, "CMakeLists.txt")
         self.commands: tuple[Written, ...] = ()
         # Where setup.py builds a package, CMakeLists.txt was left behind by ROS 1 and nothing reads it.
@@ -228,6 +231,8 @@ class CmakeView:
 
     def _replaced(self, text: str) -> list[str]:
         """Return what a text may be; values are kept replaced, so that each reference is looked at once."""
+        if self._left <= 0:
+            return [text]
         waiting = [""]
         at = 0
         for match in islice(_REFERENCE.finditer(text), _MOST_REFERENCES):
@@ -237,6 +242,7 @@ class CmakeView:
             made = (f"{one}{before}{value}" for one in waiting for value in values)
             waiting = list(islice(made, MOST_VALUES))
             at = match.end()
+            self._left -= sum(map(len, waiting))
         return [one + text[at:] for one in waiting]
 
     def _further(self, written: Written) -> str | None:

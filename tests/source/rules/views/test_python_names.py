@@ -1,5 +1,6 @@
 """The names of a Python file that nothing binds."""
 
+import gc
 import time
 
 import pytest
@@ -55,9 +56,14 @@ def test_a_name_that_is_read_is_bound_somewhere_around_it(text, expected):
 def test_calls_in_a_row_take_no_square_of_their_number():
     def seconds(calls):
         tree = Parser(Language(tree_sitter_python.language())).parse(b"x = a" + b".f()" * calls + b"\n")
-        begun = time.process_time()
-        PythonNames(tree.root_node)
-        return time.process_time() - begun
+        # Whatever else this process holds is collected at moments of its own, which would be counted here.
+        gc.disable()
+        try:
+            begun = time.process_time()
+            PythonNames(tree.root_node)
+            return time.process_time() - begun
+        finally:
+            gc.enable()
 
     few = min(seconds(500) for _ in range(3))
-    assert seconds(5_000) < 30 * few
+    assert min(seconds(5_000) for _ in range(3)) < 30 * few

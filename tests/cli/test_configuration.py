@@ -132,3 +132,13 @@ def test_a_number_that_python_does_not_convert_is_an_error_of_the_file(tmp_path)
     path.write_text("jobs = " + "9" * 5000 + "\n")
     with pytest.raises(DocumentError, match="4300 digits"):
         read_configuration(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [("a = = 1\n", ":1:5"), ("a = [", ":1:6"), ('[models]\na = "b\n', ":2:7"), ("a = [1,\n 2\n\n", ":2:3")],
+)
+def test_what_is_no_toml_is_told_with_its_line_also_where_it_is_not_closed(tmp_path, text, place):
+    (tmp_path / "roslens.toml").write_text(text)
+    with pytest.raises(DocumentError, match=f"roslens.toml{place}: "):
+        find_configuration(tmp_path, None)

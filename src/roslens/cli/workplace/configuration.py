@@ -169,7 +169,10 @@ def _toml(path: Path, text: str) -> dict[str, Any]:
         ) from None
     except tomli.TOMLDecodeError as error:
         match = re.search(r"\(at line (\d+), column (\d+)\)", str(error))
-        where = Location(str(path), int(match[1]), int(match[2])) if match else str(path)
+        # What is not closed is told of the end of the document.
+        before = text.rstrip().split("\n")
+        line, column = (int(match[1]), int(match[2])) if match else (len(before), len(before[-1]) + 1)
+        where = Location(str(path), line, column)
         what = str(error).split(" (at ")[0]
         raise DocumentError(what, where=where, expected="TOML", advice="Fix that line") from error
     except ValueError as error:

@@ -9,17 +9,7 @@ import msgspec
 
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding
-from roslens.model.graph import Role
-
-_KINDS = {
-    Role.PUBLISHER: "topic",
-    Role.SUBSCRIPTION: "topic",
-    Role.SERVICE_SERVER: "service",
-    Role.SERVICE_CLIENT: "service",
-    Role.ACTION_SERVER: "action",
-    Role.ACTION_CLIENT: "action",
-}
-
+from roslens.model.graphs.end import KIND
 
 _PLACE = re.compile(r"[^\s()\[\]\"'`,;]+:\d+(?::\d+)?")
 
@@ -96,7 +86,7 @@ def about(findings: Sequence[Finding], configuration: Configuration) -> tuple[Fi
     """Return the findings about nodes of a configuration: themselves, their parameters and what they are joined to."""
     nodes = {node.name for node in configuration.nodes}
     entities = {f"node:{name}" for name in nodes} | {
-        f"{_KINDS[one.endpoint.role]}:{one.endpoint.name}" for node in configuration.nodes for one in node.endpoints
+        f"{KIND[one.endpoint.role]}:{one.endpoint.name}" for node in configuration.nodes for one in node.endpoints
     }
     return tuple(one for one in findings if one.entity in entities or _node_of_parameter(one.entity) in nodes)
 

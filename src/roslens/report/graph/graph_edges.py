@@ -6,16 +6,9 @@ import msgspec
 
 from roslens.model.configuration import Configuration, ConfiguredEndpoint
 from roslens.model.graph import Role
+from roslens.model.graphs.end import KIND
 
 _OUT = frozenset({Role.PUBLISHER, Role.SERVICE_CLIENT, Role.ACTION_CLIENT})
-_KINDS = {
-    Role.PUBLISHER: "topic",
-    Role.SUBSCRIPTION: "topic",
-    Role.SERVICE_SERVER: "service",
-    Role.SERVICE_CLIENT: "service",
-    Role.ACTION_SERVER: "action",
-    Role.ACTION_CLIENT: "action",
-}
 
 
 class Drawn(msgspec.Struct, frozen=True, order=True):
@@ -58,7 +51,7 @@ def _line(node: str, one: ConfiguredEndpoint) -> Line:
     likely = one.proof.sure != "certain"
     # Names that are not known in full may be any; two nodes are not joined by both being unknown.
     thing = one.endpoint.name if one.resolved else f"{one.endpoint.name} of {node}"
-    return Line(node, _KINDS[role], thing, role in _OUT, one.resolved, bool(one.conditions), likely)
+    return Line(node, KIND[role], thing, role in _OUT, one.resolved, bool(one.conditions), likely)
 
 
 def _surer(first: Line, second: Line) -> Line:
